@@ -1,0 +1,123 @@
+//! The table of diagnostic codes: one row decides a code's text, severity and class.
+
+use std::fmt;
+
+/// Whether work can go on after a finding.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Severity {
+    /// Good to know.
+    Note,
+    /// The result stands but deserves a look.
+    Warning,
+    /// There is no result.
+    Error,
+}
+
+impl fmt::Display for Severity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Severity::Note => "note",
+            Severity::Warning => "warning",
+            Severity::Error => "error",
+        })
+    }
+}
+
+/// Who can mend a finding.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Class {
+    /// The document or an option: write it differently.
+    Source,
+    /// The chosen method cannot treat this problem: choose another.
+    Unsupported,
+    /// The problem as stated has no reliable numerical answer.
+    Numerical,
+    /// A bound of [`Limits`](crate::limits::Limits) was reached.
+    Limit,
+    /// The machine lacks something; the work goes on another way.
+    Host,
+    /// Writing the result failed.
+    Output,
+}
+
+macro_rules! codes {
+    ($($name:ident = $text:literal, $severity:ident, $class:ident, $doc:literal;)*) => {
+        /// A stable code. Users search for it, tests assert it; it never changes its meaning.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+        pub enum Code { $(#[doc = $doc] $name,)* }
+
+        impl Code {
+            /// Every code, in order.
+            pub const ALL: &[Code] = &[$(Code::$name,)*];
+
+            /// The code as written, for example `E0201`.
+            #[must_use]
+            pub fn as_str(self) -> &'static str {
+                match self { $(Code::$name => $text,)* }
+            }
+
+            /// Whether work can go on.
+            #[must_use]
+            pub fn severity(self) -> Severity {
+                match self { $(Code::$name => Severity::$severity,)* }
+            }
+
+            /// Who can mend it.
+            #[must_use]
+            pub fn class(self) -> Class {
+                match self { $(Code::$name => Class::$class,)* }
+            }
+
+            /// What it means, in one line.
+            #[must_use]
+            pub fn summary(self) -> &'static str {
+                match self { $(Code::$name => $doc,)* }
+            }
+        }
+    };
+}
+
+codes! {
+    NotUtf8 = "E0101", Error, Source, "The text is not UTF-8.";
+    UnexpectedText = "E0102", Error, Source, "The text does not continue as the grammar allows.";
+    UnbalancedBracket = "E0103", Error, Source, "A bracket is not closed, or closed by another kind.";
+    AmbiguousExpression = "E0104", Error, Source, "An expression has two plausible readings.";
+    EmptyDocument = "E0105", Error, Source, "The document states nothing.";
+    NumberOutOfRange = "E0106", Error, Source, "A number is too large to be represented.";
+    DeceptiveCharacter = "E0107", Error, Source, "A character cannot be seen, or looks like another one.";
+    UnknownName = "E0201", Error, Source, "A name is not declared.";
+    DuplicateName = "E0202", Error, Source, "A name is declared twice, or reserved.";
+    NotBoundaryData = "E0203", Error, Source, "Boundary data depend on u, or on S.";
+    DuplicateConstraint = "E0204", Error, Source, "A constraint is stated twice.";
+    MissingConstraint = "E0205", Error, Source, "A constraint is missing for one component.";
+    WrongConstraintCount = "E0206", Error, Source, "The number of constraints does not fit the order of the equation in u.";
+    NotLinear = "E0207", Error, Source, "The equation is not linear in S.";
+    WrongArity = "E0208", Error, Source, "A function has the wrong number of arguments.";
+    NotScalar = "E0209", Error, Source, "A vector stands where a number is expected, or the other way round.";
+    DuplicateStatement = "E0210", Error, Source, "A statement that may occur once occurs twice.";
+    NotConstant = "E0211", Error, Source, "A value that must be constant depends on u, v, t or S.";
+    UnknownSetting = "E0212", Error, Source, "A setting does not exist or has a value of the wrong form.";
+    EmptyDomain = "E0213", Error, Source, "A domain has no extent.";
+    ParameterNotFinite = "E0214", Error, Source, "A parameter or constant evaluates to infinity or NaN.";
+    ParameterOutOfRange = "E0215", Error, Source, "A parameter lies outside its own range.";
+    DependentConstraints = "E0216", Error, Source, "The constraints do not determine a surface.";
+    MissingEquationTerm = "E0217", Error, Source, "The equation has no derivative in u.";
+    NotDifferentiable = "E0301", Error, Source, "A derivative is needed of a function that has none.";
+    DataNotFinite = "E0302", Error, Source, "Boundary data are not finite inside the domain.";
+    SettingOutOfRange = "E0401", Error, Source, "A setting has a value outside its range.";
+    UnsupportedByMethod = "E0402", Error, Unsupported, "The chosen method cannot treat this problem.";
+    VanishesOnGrid = "E0403", Error, Numerical, "A basis function is zero on every collocation point.";
+    SolutionNotFinite = "E0404", Error, Numerical, "The solution is not finite.";
+    RankDeficient = "W0405", Warning, Numerical, "Collocation left some coefficients undetermined.";
+    LimitReached = "E0901", Error, Limit, "A limit was reached.";
+    HostUnsupported = "N0902", Note, Host, "The machine lacks something; the work goes on another way.";
+    OutputFailed = "E0903", Error, Output, "Writing a result failed.";
+    DegenerateNormals = "W0501", Warning, Numerical, "Some vertices have no normal.";
+    PrecisionLost = "W0502", Warning, Output, "A format cannot hold the result to full precision.";
+}
+
+impl fmt::Display for Code {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.as_str())
+    }
+}

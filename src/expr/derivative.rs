@@ -1,0 +1,174 @@
+//! Symbolic derivatives in u, v and t.
+//!
+//! Each order is simplified before the next is taken, and every shared subexpression is differentiated once,
+//! so the graph grows by a constant factor an order, not exponentially.
+
+use std::fmt;
+
+use rustc_hash::FxHashMap;
+
+use super::function::Function;
+use super::graph::{ExprId, Graph, Node, Variable};
+
+/// Orders of differentiation in u, v and t.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, PartialOrd, Ord)]
+pub struct Derivative {
+    /// Order in u.
+    pub u: usize,
+    /// Order in v.
+    pub v: usize,
+    /// Order in t.
+    pub t: usize,
+}
+
+impl Derivative {
+    /// No differentiation.
+    pub const NONE: Derivative = Derivative::new(0, 0, 0);
+
+    /// `u` times in u, `v` times in v, `t` times in t.
+    #[must_use]
+    pub const fn new(u: usize, v: usize, t: usize) -> Self {
+        Derivative { u, v, t }
+    }
+
+    /// Reads the compact spelling: `uuv`, `tt`; the order of letters does not matter.
+    #[must_use]
+    pub fn parse(text: &str) -> Option<Derivative> {
+        let mut orders = Derivative::NONE;
+        for letter in text.chars() {
+            match letter {
+                'u' => orders.u += 1,
+                'v' => orders.v += 1,
+                't' => orders.t += 1,
+                _ => return None,
+            }
+        }
+        Some(orders)
+    }
+
+    /// The order in one variable.
+    #[must_use]
+    pub fn order(self, variable: Variable) -> usize {
+        match variable {
+            Variable::U => self.u,
+            Variable::V => self.v,
+            Variable::T => self.t,
+        }
+    }
+
+    /// The largest of the three orders.
+    #[must_use]
+    pub fn largest(self) -> usize {
+        self.u.max(self.v).max(self.t)
+    }
+}
+
+impl fmt::Display for Derivative {
+    /// The compact spelling, for example `uuv`; empty for no differentiation.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for variable in Variable::ALL {
+            f.write_str(&variable.name().repeat(self.order(variable)))?;
+        }
+        Ok(())
+    }
+}
+
+/// The function that stopped a differentiation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct NotDifferentiable {
+    /// A function without a derivative, such as `abs`.
+    pub function: Function,
+}
+
+impl Graph {
+    /// The derivative of `expr`, in canonical form.
+    ///
+    /// # Errors
+    /// [`NotDifferentiable`] names a function of the differentiation variable that has no derivative.
+    pub fn derivative(&mut self, expr: ExprId, orders: Derivative) -> Result<ExprId, NotDifferentiable> {
+        let mut result = expr;
+        for variable in Variable::ALL {
+            for _ in 0..orders.order(variable) {
+                result = self.derivative_once(result, variable)?;
+            }
+        }
+        Ok(result)
+    }
+
+    fn derivative_once(&mut self, expr: ExprId, variable: Variable) -> Result<ExprId, NotDifferentiable> {
+        let zero = self.integer(0);
+        let mut known: FxHashMap<ExprId, ExprId> = FxHashMap::default();
+        for id in self.reachable(&[expr]) {
+            let depends = self.dependence(id);
+            let depends_on_variable = match variable {
+                Variable::U => depends.u,
+                Variable::V => depends.v,
+                Variable::T => depends.t,
+            };
+            let result = if depends_on_variable { self.derivative_of_node(id, &known)? } else { zero };
+            known.insert(id, result);
+        }
+        Ok(known.get(&expr).copied().unwrap_or(zero))
+    }
+
+    /// The derivative of a node that depends on the variable, from those of its operands.
+    fn derivative_of_node(
+        &mut self,
+        id: ExprId,
+        known: &FxHashMap<ExprId, ExprId>,
+    ) -> Result<ExprId, NotDifferentiable> {
+        let zero = self.integer(0);
+        let inner = |id: &ExprId| known.get(id).copied().unwrap_or(zero);
+        match self.node(id).clone() {
+            Node::Variable(_) => Ok(self.integer(1)),
+            Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => Ok(zero),
+            Node::Sum(terms) => {
+                let derivatives: Vec<ExprId> = terms.iter().map(inner).collect();
+                Ok(self.sum(derivatives))
+            }
+            Node::Product(factors) => {
+                let mut terms = Vec::with_capacity(factors.len());
+                for (index, factor) in factors.iter().enumerate() {
+                    let derivative = inner(factor);
+                    if !self.is_zero(derivative) {
+                        let others = factors.iter().enumerate().filter(|(other, _)| *other != index);
+                        let product: Vec<ExprId> = others.map(|(_, &other)| other).chain([derivative]).collect();
+                        terms.push(self.product(product));
+                    }
+                }
+                Ok(self.sum(terms))
+            }
+            Node::Power(base, exponent) => {
+                Ok(self.power_derivative(id, (base, inner(&base)), (exponent, inner(&exponent))))
+            }
+            Node::Call(function, arguments) => {
+                let mut terms = Vec::with_capacity(arguments.len());
+                for (index, argument) in arguments.iter().enumerate() {
+                    let derivative = inner(argument);
+                    if !self.is_zero(derivative) {
+                        let partial =
+                            function.partial(self, &arguments, index).ok_or(NotDifferentiable { function })?;
+                        terms.push(self.product([partial, derivative]));
+                    }
+                }
+                Ok(self.sum(terms))
+            }
+        }
+    }
+
+    /// `(f^g)' = g f^(g-1) f' + f^g ln(f) g'`
+    fn power_derivative(&mut self, power: ExprId, base: (ExprId, ExprId), exponent: (ExprId, ExprId)) -> ExprId {
+        let mut terms = Vec::new();
+        if !self.is_zero(base.1) {
+            let minus_one = self.integer(-1);
+            let reduced = self.sum([exponent.0, minus_one]);
+            let lowered = self.power(base.0, reduced);
+            terms.push(self.product([exponent.0, lowered, base.1]));
+        }
+        if !self.is_zero(exponent.1) {
+            let logarithm = self.call(Function::Ln, &[base.0]);
+            terms.push(self.product([power, logarithm, exponent.1]));
+        }
+        self.sum(terms)
+    }
+}

@@ -1,0 +1,387 @@
+//! Expressions as text: ASCII and Unicode forms that read back as the same expression, and LaTeX.
+
+use num_rational::Ratio;
+use num_traits::{One, Signed};
+
+use super::function::Function;
+use super::graph::{Constant, ExprId, Graph, Node};
+use super::name::{greek_letter, unicode_name};
+use super::number::Number;
+
+/// How an expression is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Notation {
+    /// `0.8*b6*t*sin(a5*v)`
+    Ascii,
+    /// `0.8 b₆ t sin(a₅ v)`
+    Unicode,
+    /// `0.8\, b_{6}\, t\, \sin\left(a_{5}\, v\right)`
+    Latex,
+}
+
+/// The text of an expression would be longer than allowed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct TextTooLong {
+    /// The bytes that were allowed.
+    pub allowed: usize,
+}
+
+/// How tightly a piece of text holds together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Strength {
+    Sum,
+    Product,
+    Power,
+    Atom,
+}
+
+enum Piece {
+    Text(&'static str),
+    Owned(String),
+    /// An expression, in brackets unless it holds together at least this tightly.
+    Expr(ExprId, Strength),
+    /// An expression whose leading minus the sum around it has already written.
+    Negated(ExprId),
+}
+
+impl Graph {
+    /// The text of `expr` in `notation`, of at most `allowed` bytes.
+    ///
+    /// # Errors
+    /// [`TextTooLong`]: sharing is lost in text, which can be exponentially larger than its graph.
+    pub fn text(&self, expr: ExprId, notation: Notation, allowed: usize) -> Result<String, TextTooLong> {
+        let mut text = String::new();
+        let mut pending = vec![Piece::Expr(expr, Strength::Sum)];
+        while let Some(piece) = pending.pop() {
+            match piece {
+                Piece::Text(part) => text.push_str(part),
+                Piece::Owned(part) => text.push_str(&part),
+                Piece::Expr(id, least) => {
+                    let writer = Writer { graph: self, notation };
+                    let (pieces, strength) = writer.pieces(id);
+                    let brackets = strength < least;
+                    if brackets {
+                        pending.push(Piece::Text(writer.brackets().1));
+                    }
+                    pending.extend(pieces.into_iter().rev());
+                    if brackets {
+                        pending.push(Piece::Text(writer.brackets().0));
+                    }
+                }
+                Piece::Negated(id) => {
+                    let writer = Writer { graph: self, notation };
+                    pending.extend(writer.product(id, true).0.into_iter().rev());
+                }
+            }
+            if text.len() > allowed {
+                return Err(TextTooLong { allowed });
+            }
+        }
+        Ok(text)
+    }
+}
+
+struct Writer<'a> {
+    graph: &'a Graph,
+    notation: Notation,
+}
+
+type Pieces = (Vec<Piece>, Strength);
+
+impl Writer<'_> {
+    fn brackets(&self) -> (&'static str, &'static str) {
+        if self.notation == Notation::Latex { (r"\left(", r"\right)") } else { ("(", ")") }
+    }
+
+    fn pieces(&self, id: ExprId) -> Pieces {
+        match self.graph.node(id) {
+            Node::Number(number) => self.number(*number),
+            Node::Constant(constant) => (vec![Piece::Text(self.constant(*constant))], Strength::Atom),
+            Node::Symbol(symbol) => (vec![Piece::Owned(self.name(self.graph.symbol_name(*symbol)))], Strength::Atom),
+            Node::Variable(variable) => (vec![Piece::Text(variable.name())], Strength::Atom),
+            Node::Sum(terms) => self.sum(terms),
+            Node::Product(_) => self.product(id, false),
+            Node::Power(base, exponent) => {
+                if self.is_inverse(id) {
+                    self.product(id, false)
+                } else {
+                    self.power(*base, *exponent)
+                }
+            }
+            Node::Call(Function::Exp, arguments) if self.notation != Notation::Ascii => {
+                let argument = arguments.first().copied().unwrap_or(id);
+                (std::iter::once(Piece::Text("e")).chain(self.exponent(argument)).collect(), Strength::Power)
+            }
+            Node::Call(function, arguments) => {
+                let name = if self.notation == Notation::Latex { function.row().latex } else { function.row().name };
+                let mut pieces = vec![Piece::Text(name), Piece::Text(self.brackets().0)];
+                for (index, &argument) in arguments.iter().enumerate() {
+                    if index > 0 {
+                        pieces.push(Piece::Text(", "));
+                    }
+                    pieces.push(Piece::Expr(argument, Strength::Sum));
+                }
+                pieces.push(Piece::Text(self.brackets().1));
+                (pieces, Strength::Atom)
+            }
+        }
+    }
+
+    fn number(&self, number: Number) -> Pieces {
+        let text = number.to_string();
+        let strength = if text.starts_with('-') {
+            Strength::Sum
+        } else if text.contains('/') {
+            Strength::Product
+        } else {
+            Strength::Atom
+        };
+        let text = match (self.notation, text.split_once('/')) {
+            (Notation::Latex, Some((above, below))) => format!(r"\frac{{{above}}}{{{below}}}"),
+            _ => text,
+        };
+        (vec![Piece::Owned(text)], strength)
+    }
+
+    fn constant(&self, constant: Constant) -> &'static str {
+        match (constant, self.notation) {
+            (Constant::E, _) => "e",
+            (Constant::Pi, Notation::Ascii) => "pi",
+            (Constant::Pi, Notation::Unicode) => "π",
+            (Constant::Pi, Notation::Latex) => r"\pi",
+        }
+    }
+
+    fn name(&self, canonical: &str) -> String {
+        match self.notation {
+            Notation::Ascii => canonical.to_owned(),
+            Notation::Unicode => unicode_name(canonical),
+            Notation::Latex => latex_name(canonical),
+        }
+    }
+
+    fn sum(&self, terms: &[ExprId]) -> Pieces {
+        let mut pieces = Vec::with_capacity(2 * terms.len());
+        for (index, &term) in terms.iter().enumerate() {
+            let negative = self.factor(term).is_some_and(Number::is_negative);
+            match (index, negative) {
+                (0, false) => {}
+                (0, true) => pieces.push(Piece::Text("-")),
+                (_, false) => pieces.push(Piece::Text(" + ")),
+                (_, true) => pieces.push(Piece::Text(" - ")),
+            }
+            pieces.push(if negative { Piece::Negated(term) } else { Piece::Expr(term, Strength::Product) });
+        }
+        (pieces, Strength::Sum)
+    }
+
+    /// The numeric factor of a term, if it has one.
+    fn factor(&self, term: ExprId) -> Option<Number> {
+        match self.graph.node(term) {
+            Node::Number(number) => Some(*number),
+            Node::Product(factors) => factors.first().and_then(|&first| self.graph.as_number(first)),
+            _ => None,
+        }
+    }
+
+    /// Whether `id` is a power with a negative number as exponent, which is written below a fraction bar.
+    fn is_inverse(&self, id: ExprId) -> bool {
+        match self.graph.node(id) {
+            Node::Power(_, exponent) => self.graph.as_number(*exponent).is_some_and(Number::is_negative),
+            _ => false,
+        }
+    }
+
+    /// A number, product or power as a quotient of products; `drop_sign` leaves out a leading minus.
+    fn product(&self, id: ExprId, drop_sign: bool) -> Pieces {
+        let factors = match self.graph.node(id) {
+            Node::Product(factors) => factors.to_vec(),
+            _ => vec![id],
+        };
+        let mut coefficient = Number::ONE;
+        let (mut above, mut below): (Vec<Vec<Piece>>, Vec<Vec<Piece>>) = (Vec::new(), Vec::new());
+        let mut ordered = factors;
+        ordered.sort_by_key(|&factor| (self.rank(factor), factor));
+        for factor in ordered {
+            match self.graph.node(factor) {
+                Node::Number(number) => coefficient = *number,
+                Node::Power(base, exponent) if self.is_inverse(factor) => {
+                    below.push(self.inverse_power(*base, *exponent))
+                }
+                _ => above.push(vec![Piece::Expr(factor, Strength::Power)]),
+            }
+        }
+        let negative = coefficient.is_negative();
+        let magnitude = if negative { -coefficient } else { coefficient };
+        let (number_above, number_below) = split_fraction(magnitude);
+        if let Some(number) = number_below {
+            below.insert(0, vec![Piece::Owned(number)]);
+        }
+        if number_above != "1" || above.is_empty() {
+            above.insert(0, vec![Piece::Owned(number_above)]);
+        }
+        let is_single_atom = above.len() == 1 && below.is_empty();
+        let mut pieces = Vec::new();
+        if negative && !drop_sign {
+            pieces.push(Piece::Text("-"));
+        }
+        self.push_quotient(&mut pieces, above, below);
+        let strength = match (negative && !drop_sign, is_single_atom) {
+            (true, _) => Strength::Sum,
+            (false, true) => Strength::Power,
+            (false, false) => Strength::Product,
+        };
+        (pieces, strength)
+    }
+
+    fn push_quotient(&self, pieces: &mut Vec<Piece>, above: Vec<Vec<Piece>>, below: Vec<Vec<Piece>>) {
+        if below.is_empty() {
+            pieces.extend(self.joined(above));
+        } else if self.notation == Notation::Latex {
+            pieces.push(Piece::Text(r"\frac{"));
+            pieces.extend(self.joined(above));
+            pieces.push(Piece::Text("}{"));
+            pieces.extend(self.joined(below));
+            pieces.push(Piece::Text("}"));
+        } else {
+            let many = below.len() > 1;
+            pieces.extend(self.joined(above));
+            pieces.push(Piece::Text(if many { "/(" } else { "/" }));
+            pieces.extend(self.joined(below));
+            if many {
+                pieces.push(Piece::Text(")"));
+            }
+        }
+    }
+
+    fn joined(&self, groups: Vec<Vec<Piece>>) -> Vec<Piece> {
+        let mut pieces = Vec::new();
+        for (index, group) in groups.into_iter().enumerate() {
+            if index > 0 {
+                pieces.push(Piece::Text(match self.notation {
+                    Notation::Ascii => "*",
+                    Notation::Unicode => " ",
+                    Notation::Latex => r"\, ",
+                }));
+            }
+            pieces.extend(group);
+        }
+        pieces
+    }
+
+    /// Where a factor stands in a product: numbers, parameters, coordinates, exponentials, functions, sums.
+    fn rank(&self, factor: ExprId) -> u8 {
+        match self.graph.node(factor) {
+            Node::Number(_) => 0,
+            Node::Constant(_) => 1,
+            Node::Symbol(_) => 2,
+            Node::Variable(_) => 3,
+            Node::Call(Function::Exp, _) => 4,
+            Node::Call(..) => 5,
+            Node::Power(base, _) => match self.graph.node(*base) {
+                Node::Power(..) => 6,
+                _ => self.rank_of_base(*base),
+            },
+            Node::Sum(_) | Node::Product(_) => 6,
+        }
+    }
+
+    fn rank_of_base(&self, base: ExprId) -> u8 {
+        match self.graph.node(base) {
+            Node::Symbol(_) => 2,
+            Node::Variable(_) => 3,
+            Node::Call(..) => 5,
+            _ => 6,
+        }
+    }
+
+    /// `base^(-exponent)` for a negative number, as it is written below a fraction bar.
+    fn inverse_power(&self, base: ExprId, exponent: ExprId) -> Vec<Piece> {
+        let positive = self.graph.as_number(exponent).map_or(Number::ONE, std::ops::Neg::neg);
+        if positive.is_one() {
+            return vec![Piece::Expr(base, Strength::Power)];
+        }
+        self.power_of(base, vec![Piece::Owned(positive.to_string())], positive).0
+    }
+
+    fn power(&self, base: ExprId, exponent: ExprId) -> Pieces {
+        match self.graph.as_number(exponent) {
+            Some(number) => self.power_of(base, vec![Piece::Owned(number.to_string())], number),
+            None => {
+                let mut pieces = vec![Piece::Expr(base, Strength::Atom)];
+                pieces.extend(self.exponent(exponent));
+                (pieces, Strength::Power)
+            }
+        }
+    }
+
+    fn power_of(&self, base: ExprId, exponent: Vec<Piece>, number: Number) -> Pieces {
+        if number.to_string() == "0.5" {
+            let (open, close) = if self.notation == Notation::Latex { (r"\sqrt{", "}") } else { ("sqrt(", ")") };
+            return (vec![Piece::Text(open), Piece::Expr(base, Strength::Sum), Piece::Text(close)], Strength::Atom);
+        }
+        let mut pieces = vec![Piece::Expr(base, Strength::Atom)];
+        let digits = number.to_string();
+        if self.notation == Notation::Unicode && digits.chars().all(|c| c.is_ascii_digit()) {
+            pieces.push(Piece::Owned(digits.chars().map(superscript).collect()));
+        } else if self.notation == Notation::Latex {
+            pieces.push(Piece::Text("^{"));
+            pieces.extend(exponent);
+            pieces.push(Piece::Text("}"));
+        } else if digits.contains(['/', '-']) {
+            pieces.push(Piece::Text("^("));
+            pieces.extend(exponent);
+            pieces.push(Piece::Text(")"));
+        } else {
+            pieces.push(Piece::Text("^"));
+            pieces.extend(exponent);
+        }
+        (pieces, Strength::Power)
+    }
+
+    fn exponent(&self, exponent: ExprId) -> Vec<Piece> {
+        if self.notation == Notation::Latex {
+            vec![Piece::Text("^{"), Piece::Expr(exponent, Strength::Sum), Piece::Text("}")]
+        } else {
+            vec![Piece::Text("^"), Piece::Expr(exponent, Strength::Atom)]
+        }
+    }
+}
+
+/// A number as what stands above and below a fraction bar; decimals have nothing below.
+fn split_fraction(number: Number) -> (String, Option<String>) {
+    let text = number.to_string();
+    match (number, text.split_once('/')) {
+        (Number::Exact(ratio), Some(_)) => {
+            let ratio: Ratio<i128> = ratio.abs();
+            let below = (!ratio.denom().is_one()).then(|| ratio.denom().to_string());
+            (ratio.numer().to_string(), below)
+        }
+        _ => (text, None),
+    }
+}
+
+fn superscript(digit: char) -> char {
+    match digit {
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        _ => char::from_u32(u32::from('⁰') + u32::from(digit) - u32::from('0')).unwrap_or(digit),
+    }
+}
+
+/// `b1` as `b_{1}`, `beta` as `\beta`, longer names upright.
+fn latex_name(canonical: &str) -> String {
+    let stem_end = canonical.find(|c: char| c.is_ascii_digit() || c == '\'' || c == '_').unwrap_or(canonical.len());
+    let (stem, rest) = canonical.split_at(stem_end);
+    let primes = rest.chars().filter(|c| *c == '\'').count();
+    let subscript: String = rest.chars().filter(|c| !matches!(c, '\'' | '_')).collect();
+    let is_greek = unicode_name(stem).chars().next().and_then(greek_letter).is_some_and(|name| name == stem);
+    let stem = match stem.chars().count() {
+        1 => stem.to_owned(),
+        _ if is_greek => format!(r"\{stem}"),
+        _ => format!(r"\mathrm{{{stem}}}"),
+    };
+    let subscript = if subscript.is_empty() { String::new() } else { format!("_{{{subscript}}}") };
+    format!("{stem}{}{subscript}", "'".repeat(primes))
+}

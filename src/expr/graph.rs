@@ -1,0 +1,244 @@
+//! The hash-consed expression graph: equal expressions are one node.
+//!
+//! Invariant: a node's operands have smaller ids than the node itself, so every walk over an expression is a
+//! loop over ascending ids and no depth a text decides can exhaust the stack.
+//! Nodes are only made by the constructors in [`simplify`](super::simplify), so every node is in canonical form.
+
+use indexmap::IndexSet;
+use rustc_hash::FxBuildHasher;
+
+use super::function::Function;
+use super::number::Number;
+
+/// A node of a [`Graph`]; meaningful only together with the graph that made it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct ExprId(u32);
+
+/// A named quantity whose value comes from outside; the index into the values an evaluation is given.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct SymbolId(u32);
+
+impl SymbolId {
+    /// Position among the graph's symbols, and in every slice of parameter values.
+    #[must_use]
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// One of the three coordinates of the problem.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Variable {
+    /// Across the blend.
+    U,
+    /// Along the trimlines.
+    V,
+    /// Time.
+    T,
+}
+
+impl Variable {
+    /// All three, in order.
+    pub const ALL: [Variable; 3] = [Variable::U, Variable::V, Variable::T];
+
+    /// `u`, `v` or `t`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Variable::U => "u",
+            Variable::V => "v",
+            Variable::T => "t",
+        }
+    }
+}
+
+/// A number known by name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Constant {
+    /// The ratio of a circle's circumference to its diameter.
+    Pi,
+    /// Euler's number.
+    E,
+}
+
+/// An expression in canonical form.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub enum Node {
+    /// A number.
+    Number(Number),
+    /// `pi` or `e`.
+    Constant(Constant),
+    /// A parameter.
+    Symbol(SymbolId),
+    /// `u`, `v` or `t`.
+    Variable(Variable),
+    /// Two or more terms; at most one is a number, no two differ only by a numeric factor.
+    Sum(Box<[ExprId]>),
+    /// Two or more factors; at most one is a number and it stands first, no two have the same base.
+    Product(Box<[ExprId]>),
+    /// Base and exponent.
+    Power(ExprId, ExprId),
+    /// A function of its arguments.
+    Call(Function, Box<[ExprId]>),
+}
+
+/// Which of u, v and t an expression depends on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Dependence {
+    /// On u.
+    pub u: bool,
+    /// On v.
+    pub v: bool,
+    /// On t.
+    pub t: bool,
+}
+
+impl Dependence {
+    /// Whether the expression depends on parameters and numbers alone.
+    #[must_use]
+    pub fn is_constant(self) -> bool {
+        !(self.u || self.v || self.t)
+    }
+
+    fn union(self, other: Dependence) -> Dependence {
+        Dependence { u: self.u || other.u, v: self.v || other.v, t: self.t || other.t }
+    }
+}
+
+/// An arena of expressions that share their common parts.
+#[derive(Debug, Clone)]
+pub struct Graph {
+    nodes: IndexSet<Node, FxBuildHasher>,
+    dependence: Vec<Dependence>,
+    symbols: IndexSet<String, FxBuildHasher>,
+}
+
+impl Default for Graph {
+    fn default() -> Self {
+        Graph::new()
+    }
+}
+
+impl Graph {
+    /// A graph that holds 1, 0, -1, u, v and t.
+    #[must_use]
+    pub fn new() -> Self {
+        let mut graph = Graph { nodes: IndexSet::default(), dependence: Vec::new(), symbols: IndexSet::default() };
+        // Made first so that they come first wherever canonical order is id order: `1 - t`, `t sin(v)`.
+        for value in [1, 0, -1] {
+            graph.intern(Node::Number(Number::integer(value)));
+        }
+        for variable in Variable::ALL {
+            graph.intern(Node::Variable(variable));
+        }
+        graph
+    }
+
+    /// The number of distinct nodes, the quantity that [`Limits::graph_nodes`](crate::limits::Limits) bounds.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// Whether there are no nodes; never true for a graph made by [`Graph::new`].
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.nodes.is_empty()
+    }
+
+    /// The node behind an id.
+    #[must_use]
+    pub fn node(&self, id: ExprId) -> &Node {
+        self.nodes.get_index(id.0 as usize).expect("an ExprId is used with the graph that made it")
+    }
+
+    /// What an expression depends on.
+    #[must_use]
+    pub fn dependence(&self, id: ExprId) -> Dependence {
+        self.dependence.get(id.0 as usize).copied().expect("an ExprId is used with the graph that made it")
+    }
+
+    /// The number behind an id, if it is one.
+    #[must_use]
+    pub fn as_number(&self, id: ExprId) -> Option<Number> {
+        match self.node(id) {
+            Node::Number(number) => Some(*number),
+            _ => None,
+        }
+    }
+
+    /// Whether the expression is exactly zero.
+    #[must_use]
+    pub fn is_zero(&self, id: ExprId) -> bool {
+        self.as_number(id).is_some_and(Number::is_zero)
+    }
+
+    /// Whether the expression is exactly one.
+    #[must_use]
+    pub fn is_one(&self, id: ExprId) -> bool {
+        self.as_number(id).is_some_and(Number::is_one)
+    }
+
+    /// The operands of a node, in order; empty for leaves.
+    #[must_use]
+    pub fn operands(&self, id: ExprId) -> Vec<ExprId> {
+        match self.node(id) {
+            Node::Number(_) | Node::Constant(_) | Node::Symbol(_) | Node::Variable(_) => Vec::new(),
+            Node::Sum(operands) | Node::Product(operands) | Node::Call(_, operands) => operands.to_vec(),
+            Node::Power(base, exponent) => vec![*base, *exponent],
+        }
+    }
+
+    /// The names of the symbols, in the order in which values are passed.
+    pub fn symbols(&self) -> impl ExactSizeIterator<Item = &str> {
+        self.symbols.iter().map(String::as_str)
+    }
+
+    /// The name of a symbol.
+    #[must_use]
+    pub fn symbol_name(&self, symbol: SymbolId) -> &str {
+        self.symbols
+            .get_index(symbol.index())
+            .map(String::as_str)
+            .expect("a SymbolId is used with the graph that made it")
+    }
+
+    /// The symbol called `name`, made if there is none.
+    pub fn symbol_id(&mut self, name: &str) -> SymbolId {
+        let index = self.symbols.get_index_of(name).unwrap_or_else(|| self.symbols.insert_full(name.to_owned()).0);
+        SymbolId(u32::try_from(index).expect("limits keep a graph far below 2^32 symbols"))
+    }
+
+    /// Every node that `roots` consist of, operands before the nodes that use them.
+    #[must_use]
+    pub fn reachable(&self, roots: &[ExprId]) -> Vec<ExprId> {
+        let mut seen = vec![false; self.nodes.len()];
+        let mut pending = roots.to_vec();
+        while let Some(id) = pending.pop() {
+            if let Some(mark @ false) = seen.get_mut(id.0 as usize) {
+                *mark = true;
+                pending.extend(self.operands(id));
+            }
+        }
+        (0_u32..).zip(seen).filter_map(|(id, is_seen)| is_seen.then_some(ExprId(id))).collect()
+    }
+
+    /// The id of `node`, which must be in canonical form.
+    pub(super) fn intern(&mut self, node: Node) -> ExprId {
+        let dependence = match &node {
+            Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => Dependence::default(),
+            Node::Variable(variable) => {
+                Dependence { u: *variable == Variable::U, v: *variable == Variable::V, t: *variable == Variable::T }
+            }
+            Node::Sum(operands) | Node::Product(operands) | Node::Call(_, operands) => {
+                operands.iter().fold(Dependence::default(), |all, &id| all.union(self.dependence(id)))
+            }
+            Node::Power(base, exponent) => self.dependence(*base).union(self.dependence(*exponent)),
+        };
+        let (index, is_new) = self.nodes.insert_full(node);
+        if is_new {
+            self.dependence.push(dependence);
+        }
+        ExprId(u32::try_from(index).expect("limits keep a graph far below 2^32 nodes"))
+    }
+}

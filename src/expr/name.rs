@@ -1,0 +1,118 @@
+//! Names: every spelling of a name has one canonical ASCII form, and a Unicode form for reading.
+
+/// Greek letters with their ASCII names; variant glyphs follow the letter they stand for.
+const GREEK: &[(char, &str)] = &[
+    ('α', "alpha"),
+    ('β', "beta"),
+    ('γ', "gamma"),
+    ('δ', "delta"),
+    ('ε', "epsilon"),
+    ('ζ', "zeta"),
+    ('η', "eta"),
+    ('θ', "theta"),
+    ('ι', "iota"),
+    ('κ', "kappa"),
+    ('λ', "lambda"),
+    ('μ', "mu"),
+    ('ν', "nu"),
+    ('ξ', "xi"),
+    ('ο', "omicron"),
+    ('π', "pi"),
+    ('ρ', "rho"),
+    ('σ', "sigma"),
+    ('τ', "tau"),
+    ('υ', "upsilon"),
+    ('φ', "phi"),
+    ('χ', "chi"),
+    ('ψ', "psi"),
+    ('ω', "omega"),
+    ('Γ', "Gamma"),
+    ('Δ', "Delta"),
+    ('Θ', "Theta"),
+    ('Λ', "Lambda"),
+    ('Ξ', "Xi"),
+    ('Π', "Pi"),
+    ('Σ', "Sigma"),
+    ('Υ', "Upsilon"),
+    ('Φ', "Phi"),
+    ('Ψ', "Psi"),
+    ('Ω', "Omega"),
+    ('ϵ', "epsilon"),
+    ('ϑ', "theta"),
+    ('ϕ', "phi"),
+    ('ϱ', "rho"),
+    ('ς', "sigma"),
+    ('ϖ', "pi"),
+    ('µ', "mu"),
+];
+
+/// The ASCII name of a Greek letter, for example `beta` for `β`.
+#[must_use]
+pub fn greek_letter(letter: char) -> Option<&'static str> {
+    GREEK.iter().find(|(greek, _)| *greek == letter).map(|(_, name)| *name)
+}
+
+/// The one ASCII form of all spellings of a name: `b₁`, `b_1` and `b_{1}` become `b1`, `β` becomes `beta`,
+/// primes become `'`; an underscore before a letter is kept.
+#[must_use]
+pub fn canonical_name(spelling: &str) -> String {
+    let mut name = String::with_capacity(spelling.len());
+    let mut letters = spelling.chars().filter(|c| !matches!(c, '{' | '}')).peekable();
+    while let Some(letter) = letters.next() {
+        if let Some(greek) = greek_letter(letter) {
+            name.push_str(greek);
+        } else if let Some(digit) = subscript_digit(letter) {
+            name.push(digit);
+        } else if letter == '′' {
+            name.push('\'');
+        } else if letter != '_' || !letters.peek().is_some_and(char::is_ascii_digit) {
+            name.push(letter);
+        }
+    }
+    name
+}
+
+/// The form for reading: `b1` becomes `b₁`, `beta` becomes `β`, `h0'` becomes `h₀′`.
+#[must_use]
+pub fn unicode_name(canonical: &str) -> String {
+    let stem_end = canonical.find(|c: char| c.is_ascii_digit() || c == '\'' || c == '_').unwrap_or(canonical.len());
+    let (stem, rest) = canonical.split_at(stem_end);
+    let greek = GREEK.iter().find(|(_, name)| *name == stem).map(|(letter, _)| letter.to_string());
+    let tail: String = rest
+        .chars()
+        .map(|c| match c {
+            '0'..='9' => char::from_u32(u32::from('₀') + u32::from(c) - u32::from('0')).unwrap_or(c),
+            '\'' => '′',
+            _ => c,
+        })
+        .collect();
+    // A digit after a kept underscore would read back without it; leave such names in ASCII.
+    if rest.contains('_') { canonical.to_owned() } else { greek.unwrap_or_else(|| stem.to_owned()) + &tail }
+}
+
+fn subscript_digit(letter: char) -> Option<char> {
+    let value = u32::from(letter).checked_sub(u32::from('₀')).filter(|value| *value < 10)?;
+    char::from_digit(value, 10)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn all_spellings_of_a_name_have_one_form() {
+        for spelling in ["b_1", "b₁", "b_{1}", "b1"] {
+            assert_eq!(canonical_name(spelling), "b1");
+        }
+        assert_eq!(canonical_name("β"), "beta");
+        assert_eq!(canonical_name("h0′"), "h0'");
+        assert_eq!(canonical_name("r_max"), "r_max");
+    }
+
+    #[test]
+    fn unicode_form_reads_back_as_the_same_name() {
+        for name in ["b1", "beta", "beta12", "h0'", "r_max", "eta_x", "theta", "x"] {
+            assert_eq!(canonical_name(&unicode_name(name)), name);
+        }
+    }
+}

@@ -1,0 +1,5 @@
+//! trimline
+pub mod diagnostic;
+pub mod expr;
+pub mod limits;
+pub mod surface;

@@ -1,0 +1,73 @@
+//! Every bound the library respects, in one struct with finite defaults.
+//!
+//! Limits can be changed, not removed. Reaching one is a [`Diagnostic`](crate::diagnostic::Diagnostic) of
+//! class [`Limit`](crate::diagnostic::Class::Limit) that names the field, its value and what was asked for.
+//! They exist so that any text, however built, costs a bounded amount of memory and stack.
+
+/// Upper bounds on what one document may ask for.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Limits {
+    /// Bytes of source text.
+    pub source_bytes: usize,
+    /// Bracket and call nesting in the source text. Guards the parser's stack.
+    pub nesting: usize,
+    /// Names declared in one document.
+    pub names: usize,
+    /// Distinct nodes of one expression graph.
+    pub graph_nodes: usize,
+    /// Bytes of one expression written as text.
+    pub text_bytes: usize,
+    /// Monomials one boundary expression may expand to.
+    pub monomials: usize,
+    /// Basis functions of one patch.
+    pub basis_functions: usize,
+    /// Order of differentiation in each of u, v and t.
+    pub derivative_order: usize,
+    /// Unknowns of one linear system.
+    pub unknowns: usize,
+    /// Rows times columns of one linear system.
+    pub system_entries: usize,
+    /// Vertices of one mesh, or points of one evaluation.
+    pub samples: usize,
+    /// Instants of one sequence.
+    pub frames: usize,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Limits {
+            source_bytes: 1 << 20,
+            nesting: 128,
+            names: 4096,
+            graph_nodes: 200_000,
+            text_bytes: 1 << 20,
+            monomials: 4096,
+            basis_functions: 256,
+            derivative_order: 8,
+            unknowns: 20_000,
+            system_entries: 200_000_000,
+            samples: 4_000_000,
+            frames: 10_000,
+        }
+    }
+}
+
+impl Limits {
+    /// Every limit with the name it has on the command line (`--limits nesting=64`).
+    pub fn named(&mut self) -> [(&'static str, &mut usize); 12] {
+        [
+            ("source-bytes", &mut self.source_bytes),
+            ("nesting", &mut self.nesting),
+            ("names", &mut self.names),
+            ("graph-nodes", &mut self.graph_nodes),
+            ("text-bytes", &mut self.text_bytes),
+            ("monomials", &mut self.monomials),
+            ("basis-functions", &mut self.basis_functions),
+            ("derivative-order", &mut self.derivative_order),
+            ("unknowns", &mut self.unknowns),
+            ("system-entries", &mut self.system_entries),
+            ("samples", &mut self.samples),
+            ("frames", &mut self.frames),
+        ]
+    }
+}
