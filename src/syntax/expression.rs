@@ -1,0 +1,383 @@
+//! Parsed expressions to the tree, refusing those with two plausible readings.
+
+use super::ast::Name;
+use super::ast::{Expression, Kind, Tree, Unknown};
+use super::brackets::Brackets;
+use super::parser::{Parsed, Rule};
+use super::statement::{coordinate, internal};
+use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::expr::{Derivative, Function, Number, canonical_name};
+
+/// Builds expressions of one logical line into a tree.
+pub struct Builder<'a> {
+    /// Where expressions go.
+    pub tree: &'a mut Tree,
+    /// What stands inside the brackets of the line.
+    pub brackets: &'a mut Brackets,
+    /// Byte offset in the source at which the parsed text begins.
+    pub offset: usize,
+}
+
+impl Builder<'_> {
+    /// The place of a pair in the source.
+    pub fn span(&self, pair: &Parsed<'_>) -> Span {
+        let span = pair.as_span();
+        Span::new(self.offset + span.start(), self.offset + span.start() + span.as_str().trim_end().len())
+    }
+
+    /// Builds a `values` pair.
+    pub fn values(&mut self, pair: Parsed<'_>) -> Result<Vec<Expression>, Diagnostic> {
+        let parts = pair.into_inner().filter(|part| part.as_rule() == Rule::expression);
+        parts.map(|part| self.expression(part)).collect()
+    }
+
+    /// Builds an `expression` pair.
+    pub fn expression(&mut self, pair: Parsed<'_>) -> Result<Expression, Diagnostic> {
+        let whole = self.span(&pair);
+        let mut terms = Vec::new();
+        let mut subtracts = false;
+        for part in pair.into_inner() {
+            match part.as_rule() {
+                Rule::add_operator => subtracts = part.as_str() != "+",
+                _ => terms.push((subtracts, self.term(part)?)),
+            }
+        }
+        Ok(match terms.as_slice() {
+            [(false, only)] => *only,
+            _ => self.tree.add(Kind::Sum(terms), whole),
+        })
+    }
+
+    fn term(&mut self, pair: Parsed<'_>) -> Result<Expression, Diagnostic> {
+        let whole = self.span(&pair);
+        let mut factors: Vec<(bool, Expression)> = Vec::new();
+        let (mut divides, mut is_negative) = (false, false);
+        let mut last_run: Option<Run> = None;
+        for part in pair.into_inner() {
+            match part.as_rule() {
+                Rule::sign => is_negative ^= part.as_str() != "+",
+                Rule::multiply_operator => divides = matches!(part.as_str(), "/" | "÷" | "∕"),
+                _ => {
+                    let run = self.run(part)?;
+                    if divides {
+                        refuse_ambiguous_division(last_run.as_ref(), &run)?;
+                    }
+                    factors.extend(run.factors.iter().map(|factor| (divides, *factor)));
+                    last_run = Some(run);
+                }
+            }
+        }
+        let product = match factors.as_slice() {
+            [(false, only)] => *only,
+            _ => self.tree.add(Kind::Product(factors), whole),
+        };
+        Ok(if is_negative { self.tree.add(Kind::Sum(vec![(true, product)]), whole) } else { product })
+    }
+
+    fn run(&mut self, pair: Parsed<'_>) -> Result<Run, Diagnostic> {
+        let (text, span) = (pair.as_str().trim_end().to_owned(), self.span(&pair));
+        let mut run = Run { factors: Vec::new(), text, span, head: 0, bare_call: None };
+        for part in pair.into_inner() {
+            run.bare_call = bare_call_of(&part);
+            if run.factors.is_empty() {
+                run.head = part.as_str().trim_end().len();
+            }
+            run.factors.push(self.power(part)?);
+        }
+        Ok(run)
+    }
+
+    /// A `power`, `bare_factor` or `exponent` pair: a primary with superscripts and exponents.
+    fn power(&mut self, pair: Parsed<'_>) -> Result<Expression, Diagnostic> {
+        let whole = self.span(&pair);
+        let mut parts = pair.into_inner().peekable();
+        let first = parts.next().ok_or_else(internal)?;
+        let mut base = if first.as_rule() == Rule::function {
+            let arguments = self.bracket(&parts.next().ok_or_else(internal)?)?;
+            self.call(called(&first)?, arguments, whole)
+        } else {
+            self.primary(first)?
+        };
+        if let Some(superscript) = parts.next_if(|part| part.as_rule() == Rule::superscript) {
+            let exponent = self.number(&superscript_digits(superscript.as_str()), self.span(&superscript))?;
+            base = self.raised(base, exponent);
+        }
+        let mut exponents: Vec<(bool, Expression)> = Vec::new();
+        let mut is_negative = false;
+        for part in parts {
+            match part.as_rule() {
+                Rule::power_operator => is_negative = false,
+                Rule::sign => is_negative ^= part.as_str() != "+",
+                _ => exponents.push((is_negative, self.power(part)?)),
+            }
+        }
+        // Right-associative: fold the exponents from the last to the first.
+        let mut folded: Option<Expression> = None;
+        for (is_negative, exponent) in exponents.into_iter().rev() {
+            let raised = match folded {
+                Some(above) => self.raised(exponent, above),
+                None => exponent,
+            };
+            let span = self.tree.span(raised);
+            folded = Some(if is_negative { self.tree.add(Kind::Sum(vec![(true, raised)]), span) } else { raised });
+        }
+        Ok(match folded {
+            Some(exponent) => self.raised(base, exponent),
+            None => base,
+        })
+    }
+
+    fn raised(&mut self, base: Expression, exponent: Expression) -> Expression {
+        let span = self.tree.span(base).to(self.tree.span(exponent));
+        self.tree.add(Kind::Power(base, exponent), span)
+    }
+
+    fn primary(&mut self, pair: Parsed<'_>) -> Result<Expression, Diagnostic> {
+        let whole = self.span(&pair);
+        let kind = match pair.as_rule() {
+            Rule::number => return self.number(pair.as_str(), whole),
+            Rule::derivative => Kind::Unknown(self.derivative(pair)?),
+            Rule::unknown => Kind::Unknown(self.unknown(&pair)),
+            Rule::application => {
+                let mut parts = pair.into_inner();
+                let name = self.name(&parts.next().ok_or_else(internal)?);
+                match parts.next() {
+                    Some(arguments) => Kind::Application(name, self.bracket(&arguments)?),
+                    None => Kind::Name(name),
+                }
+            }
+            Rule::bracketed => {
+                let values = self.bracket(&pair)?;
+                match values.as_slice() {
+                    // The brackets stay visible in the place, so that a finding marks them too.
+                    [only] => {
+                        self.tree.widen(*only, whole);
+                        return Ok(*only);
+                    }
+                    _ => Kind::Vector(values),
+                }
+            }
+            Rule::root => {
+                let mut parts: Vec<Parsed<'_>> = pair.into_inner().collect();
+                let mut value = self.primary(parts.pop().ok_or_else(internal)?)?;
+                for _ in parts {
+                    value = self.tree.add(Kind::SquareRoot(vec![value]), whole);
+                }
+                return Ok(value);
+            }
+            Rule::call => return self.call_pair(pair),
+            _ => return Err(internal()),
+        };
+        Ok(self.tree.add(kind, whole))
+    }
+
+    fn call_pair(&mut self, pair: Parsed<'_>) -> Result<Expression, Diagnostic> {
+        let whole = self.span(&pair);
+        let mut parts = pair.into_inner().peekable();
+        let called = called(&parts.next().ok_or_else(internal)?)?;
+        let exponent = parts.next_if(|part| part.as_rule() == Rule::function_power);
+        let argument = parts.next().ok_or_else(internal)?;
+        let arguments = if argument.as_rule() == Rule::bare_argument {
+            let place = self.span(&argument);
+            let factors = argument.into_inner().map(|part| Ok((false, self.power(part)?)));
+            let factors = factors.collect::<Result<_, Diagnostic>>()?;
+            vec![self.tree.add(Kind::Product(factors), place)]
+        } else {
+            self.bracket(&argument)?
+        };
+        let value = self.call(called, arguments, whole);
+        let Some(exponent) = exponent else { return Ok(value) };
+        let digits = superscript_digits(exponent.as_str().trim_start_matches('^').trim());
+        if digits.starts_with('-') {
+            let name = called.name();
+            let message = format!("`{name}^{digits}` can mean the inverse function or the reciprocal");
+            return Err(Diagnostic::new(Code::AmbiguousExpression, message)
+                .at(whole)
+                .hint(format!("write `a{name}(…)` for the inverse function, `1/{name}(…)` for the reciprocal")));
+        }
+        let exponent = self.number(&digits, self.span(&exponent))?;
+        Ok(self.raised(value, exponent))
+    }
+
+    fn call(&mut self, called: Called, arguments: Vec<Expression>, span: Span) -> Expression {
+        let kind = match called {
+            Called::Function(function) => Kind::Call(function, arguments),
+            Called::SquareRoot => Kind::SquareRoot(arguments),
+        };
+        self.tree.add(kind, span)
+    }
+
+    fn number(&mut self, text: &str, span: Span) -> Result<Expression, Diagnostic> {
+        let value = Number::parse(text.trim()).ok_or_else(|| {
+            Diagnostic::new(Code::NumberOutOfRange, format!("`{}` is too large for a double", text.trim()))
+                .at(span)
+                .hint("the largest is about 1.8e308")
+        })?;
+        Ok(self.tree.add(Kind::Number(value), span))
+    }
+
+    /// The values inside the bracket that `pair` ends with.
+    pub fn bracket(&mut self, pair: &Parsed<'_>) -> Result<Vec<Expression>, Diagnostic> {
+        let hole = pair.clone().into_inner().find(|part| part.as_rule() == Rule::hole).ok_or_else(internal)?;
+        let inside = self.offset + hole.as_span().start();
+        self.brackets.take(inside).ok_or_else(internal)
+    }
+
+    /// The name behind a `name` pair.
+    pub fn name(&self, pair: &Parsed<'_>) -> Name {
+        Name { text: canonical_name(pair.as_str().trim_end()), span: self.span(pair) }
+    }
+
+    /// `S` or `S_x`.
+    pub fn unknown(&self, pair: &Parsed<'_>) -> Unknown {
+        let component = pair.clone().into_inner().next().and_then(|part| coordinate(part.as_str()));
+        Unknown { component, derivative: Derivative::NONE, span: self.span(pair) }
+    }
+
+    /// `∂⁴S/∂u²∂v²`; the order above the bar must be the sum of those below.
+    pub fn derivative(&mut self, pair: Parsed<'_>) -> Result<Unknown, Diagnostic> {
+        let (text, whole) = (pair.as_str().trim_end().to_owned(), self.span(&pair));
+        let (mut above, mut component, mut orders) = (1, None, Derivative::NONE);
+        for part in pair.into_inner() {
+            match part.as_rule() {
+                Rule::order => above = order(part.as_str()),
+                Rule::unknown => component = self.unknown(&part).component,
+                Rule::coordinate => component = coordinate(part.as_str()),
+                Rule::coordinates => self.coordinates(&part)?,
+                Rule::by => add_order(&mut orders, part),
+                _ => {}
+            }
+        }
+        let below = orders.u.saturating_add(orders.v).saturating_add(orders.t);
+        if above != below {
+            let message = format!("`{text}` has order {above} above the bar and {below} below it");
+            return Err(Diagnostic::new(Code::UnexpectedText, message)
+                .at(whole)
+                .hint("both must be equal, as in `∂⁴S/∂u²∂v²` or `d4S/du2dv2`"));
+        }
+        Ok(Unknown { component, derivative: orders, span: whole })
+    }
+
+    /// Checks that a bracket holds `u, v` or `u, v, t`.
+    pub fn coordinates(&mut self, pair: &Parsed<'_>) -> Result<(), Diagnostic> {
+        let values = self.bracket(pair)?;
+        let names: Vec<Option<&str>> = values
+            .iter()
+            .map(|value| match &self.tree.node(*value).kind {
+                Kind::Name(name) => Some(name.text.as_str()),
+                _ => None,
+            })
+            .collect();
+        if matches!(names.as_slice(), [Some("u"), Some("v")] | [Some("u"), Some("v"), Some("t")]) {
+            return Ok(());
+        }
+        Err(Diagnostic::new(Code::UnexpectedText, "the surface is written `S`, `S(u, v)` or `S(u, v, t)`")
+            .at(self.span(pair))
+            .hint("where it is taken is said by `at u = …:`"))
+    }
+}
+
+/// Factors side by side.
+struct Run {
+    factors: Vec<Expression>,
+    text: String,
+    span: Span,
+    /// Bytes of the first factor.
+    head: usize,
+    /// Name and argument of a last factor like `sin πt`, whose end is open.
+    bare_call: Option<(String, String)>,
+}
+
+fn bare_call_of(power: &Parsed<'_>) -> Option<(String, String)> {
+    let last = power.clone().into_inner().next_back().filter(|part| part.as_rule() == Rule::call)?;
+    let argument = last.clone().into_inner().find(|part| part.as_rule() == Rule::bare_argument)?;
+    let function = last.as_str().strip_suffix(argument.as_str())?;
+    Some((function.trim().to_owned(), argument.as_str().trim_end().to_owned()))
+}
+
+/// `sin πt/2` and `a/2b` can each be read in two ways: show both.
+fn refuse_ambiguous_division(before: Option<&Run>, divisor: &Run) -> Result<(), Diagnostic> {
+    let Some(before) = before else { return Ok(()) };
+    let (above, below) = (&before.text, &divisor.text);
+    let ambiguous = |question: &str, hint: String| {
+        Err(Diagnostic::new(Code::AmbiguousExpression, format!("`{above}/{below}` can be read in two ways"))
+            .at(before.span.to(divisor.span))
+            .marked(question)
+            .hint(hint))
+    };
+    if let Some((function, argument)) = &before.bare_call {
+        let (inside, outside) =
+            (format!("{function}(({argument})/{below})"), format!("{function}({argument})/{below}"));
+        return ambiguous(
+            "does the division belong to the argument?",
+            format!("write `{inside}` if it does, `{outside}` if it does not"),
+        );
+    }
+    if divisor.factors.len() > 1 {
+        let (head, rest) = below.split_at_checked(divisor.head).unwrap_or((below, ""));
+        return ambiguous(
+            "what is divided by?",
+            format!("write `{above}/({below})` or `({above}/{head})*{}`", rest.trim()),
+        );
+    }
+    Ok(())
+}
+
+/// A function as written: the square root is not in the operator table.
+#[derive(Clone, Copy)]
+enum Called {
+    SquareRoot,
+    Function(Function),
+}
+
+impl Called {
+    fn name(self) -> &'static str {
+        match self {
+            Called::SquareRoot => "sqrt",
+            Called::Function(function) => function.row().name,
+        }
+    }
+}
+
+fn called(pair: &Parsed<'_>) -> Result<Called, Diagnostic> {
+    match pair.as_str().trim_end() {
+        "sqrt" => Ok(Called::SquareRoot),
+        name => Function::named(name).map(Called::Function).ok_or_else(internal),
+    }
+}
+
+fn superscript_digits(text: &str) -> String {
+    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    text.trim_end()
+        .chars()
+        .map(|c| match DIGITS.iter().position(|digit| *digit == c) {
+            Some(value) => char::from_digit(u32::try_from(value).unwrap_or(0), 10).unwrap_or(c),
+            None if c == '⁻' => '-',
+            None => c,
+        })
+        .collect()
+}
+
+/// The number in `²`, `^2`, `^{2}` or `2`; absurd orders are cut off far above every limit.
+fn order(text: &str) -> usize {
+    let digits: String = superscript_digits(text).chars().filter(char::is_ascii_digit).collect();
+    digits.parse().unwrap_or(usize::MAX / 8)
+}
+
+/// Adds one `∂u²` below the bar.
+fn add_order(orders: &mut Derivative, by: Parsed<'_>) {
+    let (mut variable, mut times) = ("", 1);
+    for piece in by.into_inner() {
+        match piece.as_rule() {
+            Rule::variable => variable = piece.as_str(),
+            Rule::order => times = order(piece.as_str()),
+            _ => {}
+        }
+    }
+    let sum = match variable {
+        "u" => &mut orders.u,
+        "v" => &mut orders.v,
+        _ => &mut orders.t,
+    };
+    *sum = sum.saturating_add(times);
+}

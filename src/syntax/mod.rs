@@ -1,0 +1,79 @@
+//! Text to [`Document`]: the only place that knows the grammar (`grammar/trimline.pest`) and the only user of pest.
+//!
+//! Each logical line is parsed on its own, so one file can report several errors. Nothing is resolved here: a
+//! name is a name, and `h0(1 - t)` stays an application until [`resolve`](crate::resolve) knows what `h0` is.
+
+pub mod ast;
+mod brackets;
+mod expression;
+mod parser;
+mod preflight;
+mod statement;
+
+pub use ast::Document;
+pub use preflight::decode;
+
+use ast::{Expression, Tree};
+use brackets::Brackets;
+use expression::Builder;
+use preflight::Prepared;
+
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span};
+use crate::limits::Limits;
+
+/// Parses a spec.
+///
+/// # Errors
+/// Everything found wrong with the text, in source order; a limit ends the search.
+pub fn parse(source: &Source, limits: &Limits) -> Result<Document, Diagnostics> {
+    let prepared = preflight::prepare(source, limits)?;
+    if prepared.lines.is_empty() {
+        return Err(vec![
+            Diagnostic::new(Code::EmptyDocument, "the document states nothing")
+                .at(Span::new(0, 0))
+                .hint("state the constraints, for example `at u = 0: S = [cos v, sin v, 0], ∂S/∂u = [0, 0, 1]`"),
+        ]);
+    }
+    let mut document = Document::default();
+    let mut found = Diagnostics::new();
+    for &line in &prepared.lines {
+        if let Err(finding) = add_line(&mut document, &prepared, line) {
+            found.push(finding);
+        }
+    }
+    if found.is_empty() { Ok(document) } else { Err(found) }
+}
+
+fn add_line(document: &mut Document, prepared: &Prepared, line: Span) -> Result<(), Diagnostic> {
+    let mut brackets = Brackets::read(prepared, line, &mut document.tree)?;
+    let text = brackets::outermost(prepared, line);
+    let pair = parser::line(&text, line.start)?;
+    let mut builder = Builder { tree: &mut document.tree, brackets: &mut brackets, offset: line.start };
+    builder.statement(pair)?.add_to(document)
+}
+
+/// Parses a single expression, for example the value of a command-line option.
+///
+/// # Errors
+/// As [`parse`].
+pub fn parse_expression(source: &Source, limits: &Limits) -> Result<(Tree, Expression), Diagnostics> {
+    let prepared = preflight::prepare(source, limits)?;
+    let mut tree = Tree::default();
+    let whole = Span::new(0, prepared.text.len());
+    let expression = values(&prepared, whole, &mut tree).map_err(|finding| vec![finding])?;
+    match expression.as_slice() {
+        [only] => Ok((tree, *only)),
+        _ => Err(vec![Diagnostic::new(Code::UnexpectedText, "expected one expression").at(whole)]),
+    }
+}
+
+fn values(prepared: &Prepared, span: Span, tree: &mut Tree) -> Result<Vec<Expression>, Diagnostic> {
+    let mut brackets = Brackets::read(prepared, span, tree)?;
+    let text = brackets::outermost(prepared, span);
+    let pair = parser::values(&text, span.start)?;
+    let mut builder = Builder { tree, brackets: &mut brackets, offset: span.start };
+    builder.values(pair)
+}
+
+#[cfg(test)]
+mod tests;

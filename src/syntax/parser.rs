@@ -1,0 +1,140 @@
+//! The generated parser and its errors in the reader's words.
+
+use pest::Parser;
+use pest::error::{ErrorVariant, InputLocation};
+use pest::iterators::Pair;
+
+use crate::diagnostic::{Code, Diagnostic, Span};
+
+#[derive(pest_derive::Parser)]
+#[grammar = "../grammar/trimline.pest"]
+struct Grammar;
+
+/// A parsed piece of text.
+pub type Parsed<'a> = Pair<'a, Rule>;
+
+/// Parses one logical line that begins at byte `offset` of the source.
+pub fn line(text: &str, offset: usize) -> Result<Parsed<'_>, Diagnostic> {
+    run(Rule::line, text, offset)
+}
+
+/// Parses one or more expressions with commas between them, which begin at byte `offset` of the source.
+pub fn values(text: &str, offset: usize) -> Result<Parsed<'_>, Diagnostic> {
+    run(Rule::values, text, offset)
+}
+
+fn run(rule: Rule, text: &str, offset: usize) -> Result<Parsed<'_>, Diagnostic> {
+    let mut pairs = Grammar::parse(rule, text).map_err(|error| unexpected(&error, text, offset))?;
+    pairs.next().ok_or_else(|| Diagnostic::new(Code::UnexpectedText, "nothing to read").at(place(text, 0, offset)))
+}
+
+fn unexpected(error: &pest::error::Error<Rule>, text: &str, offset: usize) -> Diagnostic {
+    let at = match error.location {
+        InputLocation::Pos(at) | InputLocation::Span((at, _)) => at,
+    };
+    let mut expected: Vec<&str> = match &error.variant {
+        ErrorVariant::ParsingError { positives, .. } => positives.iter().filter_map(|rule| words(*rule)).collect(),
+        ErrorVariant::CustomError { .. } => Vec::new(),
+    };
+    expected.sort_unstable();
+    expected.dedup();
+    let message = match expected.split_last() {
+        None => format!("did not expect {}", found(text, at)),
+        Some((only, [])) => format!("expected {only}, found {}", found(text, at)),
+        Some((last, others)) => format!("expected {} or {last}, found {}", others.join(", "), found(text, at)),
+    };
+    let finding = Diagnostic::new(Code::UnexpectedText, message).at(place(text, at, offset));
+    match advice(text, at) {
+        Some(hint) => finding.hint(hint),
+        None => finding,
+    }
+}
+
+/// What stands at `at`, for a message.
+fn found(text: &str, at: usize) -> String {
+    match token(text.get(at..).unwrap_or("")) {
+        "" => "the end".to_owned(),
+        token => format!("`{token}`"),
+    }
+}
+
+fn place(text: &str, at: usize, offset: usize) -> Span {
+    let token = token(text.get(at..).unwrap_or(""));
+    Span::new(offset + at, offset + at + token.len())
+}
+
+/// The word or the single character that `rest` begins with.
+fn token(rest: &str) -> &str {
+    let word = rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(rest.len());
+    let end = if word > 0 { word } else { rest.chars().next().map_or(0, char::len_utf8) };
+    rest.get(..end.min(rest.len())).unwrap_or("").trim_end()
+}
+
+/// The reader's words for what the grammar expected; `None` for what would only add noise.
+fn words(rule: Rule) -> Option<&'static str> {
+    Some(match rule {
+        Rule::expression
+        | Rule::term
+        | Rule::run
+        | Rule::power
+        | Rule::call
+        | Rule::bracketed
+        | Rule::root
+        | Rule::number
+        | Rule::application
+        | Rule::exponent
+        | Rule::bare_factor
+        | Rule::unknown
+        | Rule::derivative
+        | Rule::function
+        | Rule::bare_argument
+        | Rule::root_sign => "an expression",
+        Rule::name | Rule::parameter | Rule::definition | Rule::assignment | Rule::range => "a name",
+        Rule::interval => "an interval `[lo, hi]`",
+        Rule::constraint | Rule::constraints | Rule::target | Rule::coordinate => "a constraint such as `S_x = …`",
+        Rule::param_line
+        | Rule::let_line
+        | Rule::domain_line
+        | Rule::pde_line
+        | Rule::at_line
+        | Rule::solve_line
+        | Rule::kw_param
+        | Rule::kw_let
+        | Rule::kw_domain
+        | Rule::kw_pde
+        | Rule::kw_at
+        | Rule::kw_solve => "a statement (`param`, `let`, `domain`, `pde`, `at`, `solve`)",
+        Rule::kw_in => "`in`",
+        Rule::kw_with => "`with`",
+        Rule::equation => "an equation",
+        Rule::word => "a word",
+        Rule::setting => "a setting such as `terms = 5`",
+        Rule::setting_value | Rule::size | Rule::decimal | Rule::integer => "a value such as `5` or `11 x 11`",
+        Rule::arguments | Rule::formals => "`(`",
+        Rule::add_operator | Rule::multiply_operator => "an operator",
+        Rule::EOI => "the end",
+        _ => return None,
+    })
+}
+
+/// Advice for mistakes that people make.
+fn advice(text: &str, at: usize) -> Option<String> {
+    let rest = text.get(at..)?;
+    let before = text.get(..at)?.trim_end();
+    if rest.starts_with("==") || (rest.starts_with('=') && before.ends_with('=')) {
+        return Some("write a single `=`".to_owned());
+    }
+    for word in ["surface", "patch", "join", "curve"] {
+        if text.strip_prefix(word).is_some_and(|tail| tail.starts_with([' ', '\t'])) {
+            return Some(format!("`{word}` is reserved for a later version of the language"));
+        }
+    }
+    if text.starts_with("S") && rest.starts_with(':') {
+        return Some("a boundary block begins with `at u = 0:`".to_owned());
+    }
+    if before.ends_with(|c: char| c.is_ascii_alphabetic()) && rest.starts_with(['-', '−']) {
+        let word = before.rsplit(|c: char| !c.is_ascii_alphanumeric()).next()?;
+        return Some(format!("put the argument in brackets: `{word}(-…)`"));
+    }
+    None
+}

@@ -1,0 +1,190 @@
+//! Bounds and normalises a text before the grammar sees it.
+//!
+//! Turns bytes into logical lines of the same offsets: comments and line breaks inside brackets become
+//! blanks, a line that continues the one before is joined to it. Invariant: offsets never change, so every
+//! span of the parser is a span of the user's text. Size and nesting are bounded here because a parser's
+//! stack cannot be: pest's own limit counts calls and is shared by the whole process.
+
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, is_deceptive};
+use crate::expr::greek_letter;
+use crate::limits::Limits;
+
+/// Words that begin a statement and therefore end the one before.
+const STATEMENT_WORDS: &[&str] = &["param", "let", "domain", "pde", "at", "solve", "surface", "patch", "curve"];
+
+/// A text that is ready for the grammar.
+pub struct Prepared {
+    /// As long as the source, byte for byte.
+    pub text: String,
+    /// The logical lines, in order, none empty.
+    pub lines: Vec<Span>,
+    /// Offsets of `(` or `[` and of what closes it, innermost first.
+    pub brackets: Vec<(usize, usize)>,
+}
+
+/// Reads bytes as a named text.
+///
+/// # Errors
+/// [`Code::NotUtf8`] with the offset of the first bad byte, or [`Code::LimitReached`] for the size.
+pub fn decode(name: &str, bytes: &[u8], limits: &Limits) -> Result<Source, Diagnostic> {
+    if bytes.len() > limits.source_bytes {
+        return Err(Diagnostic::new(
+            Code::LimitReached,
+            format!("the text has {} bytes; the limit `source-bytes` is {}", bytes.len(), limits.source_bytes),
+        )
+        .hint("a spec states a problem; move tables of numbers elsewhere, or raise the limit"));
+    }
+    match std::str::from_utf8(bytes) {
+        Ok(text) => Ok(Source::new(name, text)),
+        Err(error) => {
+            let at = error.valid_up_to();
+            let line = bytes.iter().take(at).filter(|byte| **byte == b'\n').count() + 1;
+            Err(Diagnostic::new(Code::NotUtf8, format!("the text is not UTF-8: byte {at}, on line {line}"))
+                .at(Span::new(at, at + 1))
+                .hint("save the file as UTF-8"))
+        }
+    }
+}
+
+/// Prepares a text, or says why it cannot be parsed.
+///
+/// # Errors
+/// Every unbalanced bracket and deceptive character, or the first place where nesting passes its limit.
+pub fn prepare(source: &Source, limits: &Limits) -> Result<Prepared, Diagnostics> {
+    let mut found = Diagnostics::new();
+    let mut bytes = source.text.clone().into_bytes();
+    let mut open: Vec<(char, usize)> = Vec::new();
+    let mut brackets = Vec::new();
+    let mut in_comment = false;
+    for (at, letter) in source.text.char_indices() {
+        if letter == '\n' {
+            in_comment = false;
+            if !open.is_empty() && starts_statement(source.text.get(at + 1..).unwrap_or("")) {
+                found.extend(open.drain(..).map(|(bracket, at)| not_closed(bracket, at)));
+            }
+            if !open.is_empty() {
+                blank(&mut bytes, at, letter);
+            }
+            continue;
+        }
+        in_comment |= letter == '#';
+        if in_comment {
+            blank(&mut bytes, at, letter);
+            continue;
+        }
+        match letter {
+            '(' | '[' | '{' => {
+                open.push((letter, at));
+                if open.len() > limits.nesting {
+                    return Err(vec![too_deep(at, limits.nesting)]);
+                }
+            }
+            ')' | ']' | '}' => match close(&mut open, letter, at) {
+                Ok(start) if letter != '}' => brackets.push((start, at)),
+                Ok(_) => {}
+                Err(finding) => found.push(finding),
+            },
+            _ => found.extend(suspicious(letter, at)),
+        }
+    }
+    found.extend(open.into_iter().map(|(bracket, at)| not_closed(bracket, at)));
+    if !found.is_empty() {
+        found.sort_by_key(|finding| finding.span);
+        return Err(found);
+    }
+    // Whole characters were replaced by as many blanks as they had bytes, so the text is still UTF-8.
+    let text = String::from_utf8(bytes).unwrap_or_default();
+    let lines = logical_lines(&text);
+    Ok(Prepared { text, lines, brackets })
+}
+
+fn blank(bytes: &mut [u8], at: usize, letter: char) {
+    for byte in bytes.iter_mut().skip(at).take(letter.len_utf8()) {
+        *byte = b' ';
+    }
+}
+
+/// The offset of the bracket that `letter` closes.
+fn close(open: &mut Vec<(char, usize)>, letter: char, at: usize) -> Result<usize, Diagnostic> {
+    let expected = match letter {
+        ')' => '(',
+        ']' => '[',
+        _ => '{',
+    };
+    match open.pop() {
+        Some((bracket, start)) if bracket == expected => Ok(start),
+        Some((bracket, start)) => {
+            Err(Diagnostic::new(Code::UnbalancedBracket, format!("`{bracket}` is closed by `{letter}`"))
+                .at(Span::new(at, at + 1))
+                .label(Span::new(start, start + 1), "opened here"))
+        }
+        None => Err(Diagnostic::new(Code::UnbalancedBracket, format!("`{letter}` closes nothing"))
+            .at(Span::new(at, at + 1))
+            .hint(format!("remove it, or open a `{expected}` before it"))),
+    }
+}
+
+fn not_closed(bracket: char, at: usize) -> Diagnostic {
+    Diagnostic::new(Code::UnbalancedBracket, format!("`{bracket}` is never closed")).at(Span::new(at, at + 1))
+}
+
+fn too_deep(at: usize, nesting: usize) -> Diagnostic {
+    Diagnostic::new(Code::LimitReached, format!("brackets are nested deeper than the limit `nesting` of {nesting}"))
+        .at(Span::new(at, at + 1))
+        .hint("name an inner part with `let`")
+}
+
+/// A finding for characters that cannot be seen or that look like others.
+fn suspicious(letter: char, at: usize) -> Option<Diagnostic> {
+    let span = Span::new(at, at + letter.len_utf8());
+    let code = u32::from(letter);
+    if is_deceptive(letter) && letter != '\r' {
+        let message = format!("the invisible character U+{code:04X} has no meaning here");
+        return Some(Diagnostic::new(Code::DeceptiveCharacter, message).at(span).hint("remove it"));
+    }
+    let is_latin = letter.is_ascii() || ('À'..='ɏ').contains(&letter);
+    if letter.is_alphabetic() && !is_latin && greek_letter(letter).is_none() && !"ₓª".contains(letter) {
+        let message =
+            format!("`{letter}` (U+{code:04X}) is neither a Latin nor one of the Greek letters that differ from Latin");
+        let finding = Diagnostic::new(Code::DeceptiveCharacter, message).at(span);
+        return Some(finding.hint("names use Latin and Greek letters, so that no two look alike"));
+    }
+    None
+}
+
+fn starts_statement(line: &str) -> bool {
+    let line = line.trim_start();
+    STATEMENT_WORDS.iter().any(|word| {
+        line.strip_prefix(word).is_some_and(|rest| rest.starts_with(|c: char| c.is_whitespace()) || rest.is_empty())
+    })
+}
+
+/// Splits at line breaks, except where a line plainly continues the one before: it begins with an operator
+/// or `with`, or the one before ends with an operator or a comma and no statement begins.
+fn logical_lines(text: &str) -> Vec<Span> {
+    let mut lines: Vec<Span> = Vec::new();
+    let mut start = 0;
+    for physical in text.split_inclusive('\n') {
+        let content = physical.trim();
+        let begin = start + (physical.len() - physical.trim_start().len());
+        let span = Span::new(begin, begin + content.len());
+        start += physical.len();
+        if content.is_empty() {
+            continue;
+        }
+        let before = lines.last().and_then(|last| text.get(last.start..last.end)).unwrap_or("");
+        match lines.last_mut() {
+            Some(last) if continues(before, content) => last.end = span.end,
+            _ => lines.push(span),
+        }
+    }
+    lines
+}
+
+fn continues(before: &str, line: &str) -> bool {
+    const LEADING: &[char] = &['+', '-', '−', '–', '*', '/', '·', '×', '÷', '=', '^'];
+    const TRAILING: &[char] = &['+', '-', '−', '–', '*', '/', '·', '×', '÷', '=', '^', ','];
+    let leads =
+        line.starts_with(LEADING) || line.strip_prefix("with").is_some_and(|rest| rest.starts_with([' ', '\t']));
+    leads || (before.ends_with(TRAILING) && !starts_statement(line))
+}

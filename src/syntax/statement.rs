@@ -1,0 +1,226 @@
+//! Parsed lines to statements of the [`Document`].
+
+use super::ast::{
+    Boundary, Constraint, Definition, Document, Expression, Kind, Name, Parameter, PdeStatement, Range, Setting,
+    SolveStatement, Unknown,
+};
+use super::expression::Builder;
+use super::parser::{Parsed, Rule};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::expr::{Derivative, canonical_name};
+
+/// A statement and what it adds to a document.
+pub enum Statement {
+    /// `param …`
+    Parameters(Vec<Parameter>),
+    /// `let …`
+    Definitions(Vec<Definition>),
+    /// `domain …`
+    Ranges(Vec<Range>),
+    /// `pde …`
+    Equation(PdeStatement),
+    /// `at u = c: …`
+    Boundary(Boundary),
+    /// Constraints of the boundary block that is open.
+    Constraints(Vec<Constraint>),
+    /// `solve …`
+    Solve(SolveStatement),
+}
+
+impl Statement {
+    /// Adds the statement to `document`.
+    pub fn add_to(self, document: &mut Document) -> Result<(), Diagnostic> {
+        match self {
+            Statement::Parameters(parameters) => document.parameters.extend(parameters),
+            Statement::Definitions(definitions) => document.definitions.extend(definitions),
+            Statement::Ranges(ranges) => document.ranges.extend(ranges),
+            Statement::Equation(equation) => document.equations.push(equation),
+            Statement::Boundary(boundary) => document.boundaries.push(boundary),
+            Statement::Solve(solve) => document.solves.push(solve),
+            Statement::Constraints(constraints) => match document.boundaries.last_mut() {
+                Some(boundary) => boundary.constraints.extend(constraints),
+                None => {
+                    let finding = Diagnostic::new(Code::UnexpectedText, "a constraint stands outside a boundary block")
+                        .hint("open the block first: `at u = 0:`");
+                    return Err(match constraints.first() {
+                        Some(first) => finding.at(first.span),
+                        None => finding,
+                    });
+                }
+            },
+        }
+        Ok(())
+    }
+}
+
+impl Builder<'_> {
+    /// Builds the statement of a `line` pair.
+    pub fn statement(&mut self, line: Parsed<'_>) -> Result<Statement, Diagnostic> {
+        let statement = line.into_inner().next().ok_or_else(internal)?;
+        let whole = self.span(&statement);
+        let rule = statement.as_rule();
+        let parts = statement.into_inner();
+        Ok(match rule {
+            Rule::param_line => Statement::Parameters(
+                parts
+                    .filter(|part| part.as_rule() == Rule::parameter)
+                    .map(|part| self.parameter(part))
+                    .collect::<Result<_, _>>()?,
+            ),
+            Rule::let_line => Statement::Definitions(
+                parts
+                    .filter(|part| part.as_rule() == Rule::definition)
+                    .map(|part| self.definition(part))
+                    .collect::<Result<_, _>>()?,
+            ),
+            Rule::domain_line => Statement::Ranges(
+                parts
+                    .filter(|part| part.as_rule() == Rule::range)
+                    .map(|part| self.range(part))
+                    .collect::<Result<_, _>>()?,
+            ),
+            Rule::pde_line => {
+                let mut statement = PdeStatement { sides: None, coefficients: Vec::new(), span: whole };
+                for part in parts {
+                    match part.as_rule() {
+                        Rule::equation => {
+                            let mut inner = part.into_inner();
+                            statement.sides =
+                                Some([self.take_expression(&mut inner)?, self.take_expression(&mut inner)?]);
+                        }
+                        Rule::assignment => {
+                            let mut inner = part.into_inner();
+                            let name = self.take_name(&mut inner)?;
+                            statement.coefficients.push((name, self.take_expression(&mut inner)?));
+                        }
+                        _ => {}
+                    }
+                }
+                Statement::Equation(statement)
+            }
+            Rule::at_line => {
+                let mut inner = parts.filter(|part| part.as_rule() != Rule::kw_at);
+                let variable = self.take_name(&mut inner)?;
+                let position = self.take_expression(&mut inner)?;
+                let constraints = inner.next().map_or(Ok(Vec::new()), |list| self.constraints(list.into_inner()))?;
+                Statement::Boundary(Boundary { variable, position, constraints })
+            }
+            Rule::constraints => Statement::Constraints(self.constraints(parts)?),
+            Rule::solve_line => Statement::Solve(self.solve(parts)?),
+            _ => return Err(internal()),
+        })
+    }
+
+    fn parameter(&mut self, part: Parsed<'_>) -> Result<Parameter, Diagnostic> {
+        let mut inner = part.into_inner().filter(|part| part.as_rule() != Rule::kw_in);
+        let name = self.take_name(&mut inner)?;
+        let value = self.take_expression(&mut inner)?;
+        let interval = inner.next().map(|interval| self.interval(&interval)).transpose()?;
+        Ok(Parameter { name, value, interval })
+    }
+
+    fn definition(&mut self, part: Parsed<'_>) -> Result<Definition, Diagnostic> {
+        let mut inner = part.into_inner().peekable();
+        let name = self.take_name(&mut inner)?;
+        let formals = match inner.next_if(|part| part.as_rule() == Rule::formals) {
+            Some(formals) => {
+                let values = self.bracket(&formals)?;
+                let formal = |value: &Expression| match &self.tree.node(*value).kind {
+                    Kind::Name(name) => Ok(name.clone()),
+                    _ => Err(Diagnostic::new(Code::UnexpectedText, "the argument of a definition is a name")
+                        .at(self.tree.span(*value))
+                        .hint("as in `let f(x, y) = x + y`")),
+                };
+                values.iter().map(formal).collect::<Result<_, _>>()?
+            }
+            None => Vec::new(),
+        };
+        Ok(Definition { name, formals, value: self.take_expression(&mut inner)? })
+    }
+
+    fn range(&mut self, part: Parsed<'_>) -> Result<Range, Diagnostic> {
+        let mut inner = part.into_inner().filter(|part| part.as_rule() != Rule::kw_in);
+        let variable = self.take_name(&mut inner)?;
+        let interval = self.interval(&take(&mut inner, Rule::interval)?)?;
+        Ok(Range { variable, interval })
+    }
+
+    fn interval(&mut self, part: &Parsed<'_>) -> Result<[Expression; 2], Diagnostic> {
+        let values = self.bracket(part)?;
+        <[Expression; 2]>::try_from(values).map_err(|_| {
+            Diagnostic::new(Code::UnexpectedText, "an interval has two ends: `[lo, hi]`").at(self.span(part))
+        })
+    }
+
+    fn constraints<'a>(&mut self, parts: impl Iterator<Item = Parsed<'a>>) -> Result<Vec<Constraint>, Diagnostic> {
+        let mut constraints = Vec::new();
+        for part in parts.filter(|part| part.as_rule() == Rule::constraint) {
+            let span = self.span(&part);
+            let mut inner = part.into_inner();
+            let target = self.target(take(&mut inner, Rule::target)?)?;
+            constraints.push(Constraint { target, value: self.take_expression(&mut inner)?, span });
+        }
+        Ok(constraints)
+    }
+
+    fn target(&mut self, part: Parsed<'_>) -> Result<Unknown, Diagnostic> {
+        let span = self.span(&part);
+        let mut inner = part.into_inner();
+        let first = inner.next().ok_or_else(internal)?;
+        let unknown = match first.as_rule() {
+            Rule::derivative => self.derivative(first)?,
+            Rule::unknown => self.unknown(&first),
+            _ => Unknown { component: coordinate(first.as_str()), derivative: Derivative::NONE, span },
+        };
+        if let Some(coordinates) = inner.next() {
+            self.coordinates(&coordinates)?;
+        }
+        Ok(Unknown { span, ..unknown })
+    }
+
+    fn solve<'a>(&mut self, parts: impl Iterator<Item = Parsed<'a>>) -> Result<SolveStatement, Diagnostic> {
+        let mut inner = parts.filter(|part| part.as_rule() != Rule::kw_solve);
+        let method = self.word(&take(&mut inner, Rule::word)?);
+        let mut settings = Vec::new();
+        for part in inner {
+            let mut parts = part.into_inner();
+            let key = self.word(&take(&mut parts, Rule::word)?);
+            let value = take(&mut parts, Rule::setting_value)?;
+            let text: String = value.as_str().chars().filter(|c| !c.is_whitespace()).collect();
+            settings.push(Setting { key, value: text.replace('×', "x"), span: self.span(&value) });
+        }
+        Ok(SolveStatement { method, settings })
+    }
+
+    fn word(&self, part: &Parsed<'_>) -> Name {
+        Name { text: part.as_str().trim_end().to_owned(), span: self.span(part) }
+    }
+
+    fn take_name<'a>(&self, parts: &mut impl Iterator<Item = Parsed<'a>>) -> Result<Name, Diagnostic> {
+        let part = parts.find(|part| part.as_rule() == Rule::name).ok_or_else(internal)?;
+        Ok(self.name(&part))
+    }
+
+    fn take_expression<'a>(&mut self, parts: &mut impl Iterator<Item = Parsed<'a>>) -> Result<Expression, Diagnostic> {
+        self.expression(take(parts, Rule::expression)?)
+    }
+}
+
+/// 0, 1, 2 for `x` or `x_1`, `y` or `x_2`, `z` or `x_3`.
+pub fn coordinate(text: &str) -> Option<usize> {
+    match canonical_name(text.trim_end()).as_str() {
+        "x" | "x1" => Some(0),
+        "y" | "x2" => Some(1),
+        "z" | "x3" => Some(2),
+        _ => None,
+    }
+}
+
+fn take<'a>(parts: &mut impl Iterator<Item = Parsed<'a>>, rule: Rule) -> Result<Parsed<'a>, Diagnostic> {
+    parts.next().filter(|part| part.as_rule() == rule).ok_or_else(internal)
+}
+
+/// The grammar guarantees the parts that are taken here.
+pub fn internal() -> Diagnostic {
+    Diagnostic::new(Code::UnexpectedText, "the grammar and its reader disagree: please report this text")
+}
