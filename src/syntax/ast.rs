@@ -204,13 +204,6 @@ impl Tree {
         self.node(expression).span
     }
 
-    /// The same expression in a wider place, for example with its brackets.
-    pub(super) fn widen(&mut self, expression: Expression, span: Span) {
-        if let Some(node) = self.nodes.get_mut(expression.0 as usize) {
-            node.span = span;
-        }
-    }
-
     /// The expression and all its parts, parts first.
     #[must_use]
     pub fn parts(&self, root: Expression) -> Vec<Expression> {

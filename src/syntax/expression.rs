@@ -149,11 +149,8 @@ impl Builder<'_> {
             Rule::bracketed => {
                 let values = self.bracket(&pair)?;
                 match values.as_slice() {
-                    // The brackets stay visible in the place, so that a finding marks them too.
-                    [only] => {
-                        self.tree.widen(*only, whole);
-                        return Ok(*only);
-                    }
+                    // A sum of one term: the brackets must stay, `(a(x))^2` is not `a(x)^2`.
+                    [only] => Kind::Sum(vec![(false, *only)]),
                     _ => Kind::Vector(values),
                 }
             }

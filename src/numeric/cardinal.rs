@@ -1,0 +1,130 @@
+//! Cardinal polynomials of Hermite and Birkhoff interpolation.
+//!
+//! For functionals `ℓ_i[f] = f^(k_i)(x_i)`, i = 1..n, the cardinal polynomials ξ_i of degree n - 1 satisfy
+//! `ℓ_i[ξ_k] = δ_ik`. With position and tangent at 0 and 1 they are the cubic Hermite basis
+//! `1 - 3u² + 2u³, u - 2u² + u³, 3u² - 2u³, -u² + u³`.
+
+use nalgebra::DMatrix;
+
+/// The polynomials ξ_i, as coefficients of powers of a shifted and scaled variable.
+#[derive(Debug, Clone)]
+pub struct CardinalPolynomials {
+    /// Row i holds the coefficients of ξ_i in powers of `(x - origin) / scale`.
+    coefficients: Vec<Vec<f64>>,
+    origin: f64,
+    scale: f64,
+}
+
+/// Below this ratio of smallest to largest singular value the functionals count as dependent: with positions
+/// scaled to [0, 1] and at most a handful of them, independent ones stay many orders above it.
+const DEPENDENT: f64 = 1e-12;
+
+impl CardinalPolynomials {
+    /// The cardinal polynomials of `functionals`, pairs of a position and a derivative order.
+    ///
+    /// `None` if there are none or they are dependent, so that some polynomial of degree n - 1 is invisible to all.
+    #[must_use]
+    pub fn new(functionals: &[(f64, usize)]) -> Option<Self> {
+        let count = functionals.len();
+        let low = functionals.iter().map(|(x, _)| *x).fold(f64::INFINITY, f64::min);
+        let high = functionals.iter().map(|(x, _)| *x).fold(f64::NEG_INFINITY, f64::max);
+        let scale = if high > low { high - low } else { 1.0 };
+        if count == 0 || !low.is_finite() || !scale.is_finite() {
+            return None;
+        }
+        // Row i: the functional i of each power, in the scaled variable.
+        let matrix = DMatrix::from_fn(count, count, |row, power| {
+            let (x, order) = functionals.get(row).copied().unwrap_or_default();
+            derivative_of_power(power, order, (x - low) / scale)
+        });
+        let singular = matrix.clone().try_svd(false, false, f64::EPSILON, 500)?.singular_values;
+        if singular.min() <= DEPENDENT * singular.max() {
+            return None;
+        }
+        let inverse = matrix.try_inverse()?;
+        let coefficients = functionals.iter().enumerate().map(|(index, (_, order))| {
+            // A derivative of order k in x is scale^-k times the one in the scaled variable.
+            let factor = scale.powi(i32::try_from(*order).unwrap_or(0));
+            inverse.column(index).iter().map(|coefficient| factor * rounded(*coefficient)).collect()
+        });
+        Some(CardinalPolynomials { coefficients: coefficients.collect(), origin: low, scale })
+    }
+
+    /// The number of polynomials.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.coefficients.len()
+    }
+
+    /// Whether there are none; never true for the result of [`CardinalPolynomials::new`].
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.coefficients.is_empty()
+    }
+
+    /// The derivative of order `order` of every ξ_i at `x`.
+    #[must_use]
+    pub fn derivatives(&self, order: usize, x: f64) -> Vec<f64> {
+        let x = (x - self.origin) / self.scale;
+        let factor = self.scale.powi(-i32::try_from(order).unwrap_or(0));
+        let value = |coefficients: &Vec<f64>| {
+            let terms = coefficients.iter().enumerate().skip(order).rev();
+            factor * terms.fold(0.0, |sum, (power, coefficient)| sum * x + coefficient * falling(power, order))
+        };
+        self.coefficients.iter().map(value).collect()
+    }
+}
+
+/// The inverse of a matrix of small integers, the usual case, has integer entries up to rounding.
+fn rounded(coefficient: f64) -> f64 {
+    let nearest = coefficient.round();
+    // 64 rounding errors: far more than a 6 x 6 inverse makes, far less than any true fraction differs.
+    if (coefficient - nearest).abs() <= 64.0 * f64::EPSILON * nearest.abs().max(1.0) { nearest } else { coefficient }
+}
+
+/// `power (power - 1) … (power - order + 1)`
+fn falling(power: usize, order: usize) -> f64 {
+    (0..order).map(|step| power.saturating_sub(step) as f64).product()
+}
+
+/// The derivative of order `order` of `x^power`.
+fn derivative_of_power(power: usize, order: usize, x: f64) -> f64 {
+    if order > power {
+        return 0.0;
+    }
+    falling(power, order) * x.powi(i32::try_from(power - order).unwrap_or(0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn position_and_tangent_at_both_ends_give_the_cubic_hermite_basis() {
+        let cardinal = CardinalPolynomials::new(&[(0.0, 0), (0.0, 1), (1.0, 0), (1.0, 1)]).expect("independent");
+        let u = 0.3;
+        let expected = [1.0 - 3.0 * u * u + 2.0 * u * u * u, u - 2.0 * u * u + u * u * u, 3.0 * u * u - 2.0 * u * u * u, -u * u + u * u * u];
+        for (value, expected) in cardinal.derivatives(0, u).iter().zip(expected) {
+            // Four products and three sums of numbers below 1.
+            assert!((value - expected).abs() < 4.0 * f64::EPSILON, "{value} {expected}");
+        }
+    }
+
+    #[test]
+    fn every_functional_sees_only_its_own_polynomial() {
+        let functionals = [(2.0, 0), (2.0, 1), (2.5, 0), (5.0, 0), (5.0, 1), (5.0, 2)];
+        let cardinal = CardinalPolynomials::new(&functionals).expect("independent");
+        for (row, (x, order)) in functionals.iter().enumerate() {
+            for (column, value) in cardinal.derivatives(*order, *x).into_iter().enumerate() {
+                let expected = f64::from(u8::from(row == column));
+                // Degree 5 on an interval of length 3: conditioned to about 1e3.
+                assert!((value - expected).abs() < 1e-11, "{row} {column} {value}");
+            }
+        }
+    }
+
+    #[test]
+    fn tangents_alone_are_dependent() {
+        assert!(CardinalPolynomials::new(&[(0.0, 1), (1.0, 1)]).is_none());
+    }
+}

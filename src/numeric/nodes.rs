@@ -1,0 +1,76 @@
+//! Collocation nodes on an interval.
+
+/// Where collocation nodes lie.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum NodeKind {
+    /// In the middle of equal cells: `(l - 1/2) / L`.
+    #[default]
+    Midpoints,
+    /// Equally spaced with both ends: `(l - 1) / (L - 1)`; a single node lies in the middle.
+    Ends,
+    /// The zeros of the Legendre polynomial of degree L.
+    Gauss,
+}
+
+impl NodeKind {
+    /// All kinds with the names users give them.
+    pub const NAMED: [(&str, NodeKind); 3] =
+        [("midpoints", NodeKind::Midpoints), ("ends", NodeKind::Ends), ("gauss", NodeKind::Gauss)];
+}
+
+/// `count` ascending nodes in `[low, high]`; exact at the ends where a node lies on one.
+#[must_use]
+pub fn nodes(kind: NodeKind, count: usize, [low, high]: [f64; 2]) -> Vec<f64> {
+    // Weights of both ends, so that the last node is `high` itself and not `low + (high - low)`.
+    let between = |share: f64| low * (1.0 - share) + high * share;
+    let total = count as f64;
+    match kind {
+        NodeKind::Midpoints => (0..count).map(|l| between((l as f64 + 0.5) / total)).collect(),
+        NodeKind::Ends if count < 2 => (0..count).map(|_| between(0.5)).collect(),
+        NodeKind::Ends => (0..count).map(|l| between(l as f64 / (total - 1.0))).collect(),
+        NodeKind::Gauss => (0..count).map(|l| between(0.5 * (1.0 - legendre_zero(count, l)))).collect(),
+    }
+}
+
+/// Zero number `index`, from the right, of the Legendre polynomial of degree `degree`.
+fn legendre_zero(degree: usize, index: usize) -> f64 {
+    let angle = std::f64::consts::PI * (index as f64 + 0.75) / (degree as f64 + 0.5);
+    let mut x = libm::cos(angle);
+    // Newton from this start is quadratic; four steps reach rounding for every degree.
+    for _ in 0..6 {
+        let (value, slope) = legendre(degree, x);
+        x -= value / slope;
+    }
+    x
+}
+
+/// The Legendre polynomial and its derivative at |x| < 1, by the three-term recurrence.
+fn legendre(degree: usize, x: f64) -> (f64, f64) {
+    let (mut before, mut value) = (0.0, 1.0);
+    for n in 0..degree {
+        let n = n as f64;
+        (before, value) = (value, ((2.0 * n + 1.0) * x * value - n * before) / (n + 1.0));
+    }
+    (value, degree as f64 * (before - x * value) / (1.0 - x * x))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn end_nodes_are_the_ends_themselves() {
+        let high = 2.0 * std::f64::consts::PI;
+        let nodes = nodes(NodeKind::Ends, 11, [0.1, high]);
+        assert_eq!((nodes.first(), nodes.last()), (Some(&0.1), Some(&high)));
+    }
+
+    #[test]
+    fn gauss_nodes_are_zeros_of_the_legendre_polynomial() {
+        // The zeros of P3 are 0 and ±sqrt(3/5).
+        let expected = [-(0.6_f64.sqrt()), 0.0, 0.6_f64.sqrt()];
+        for (node, expected) in nodes(NodeKind::Gauss, 3, [-1.0, 1.0]).iter().zip(expected) {
+            assert!((node - expected).abs() < 4.0 * f64::EPSILON, "{node} {expected}");
+        }
+    }
+}

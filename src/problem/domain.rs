@@ -1,0 +1,68 @@
+//! The ranges of u, v and t.
+
+use super::{Bindings, Problem};
+use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::expr::{Constant, ExprId, Graph, Number, Variable};
+
+/// A range for each variable; the ends are constant expressions.
+#[derive(Debug, Clone)]
+pub struct Domain {
+    /// Ends of the range of u, v and t.
+    pub ends: [[ExprId; 2]; 3],
+    /// Where each range is written; `None` for a default.
+    pub origins: [Option<Span>; 3],
+}
+
+/// The ranges as numbers, each with its lower end below its upper end.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DomainValues {
+    /// Across the blend.
+    pub u: [f64; 2],
+    /// Along the trimlines.
+    pub v: [f64; 2],
+    /// Time.
+    pub t: [f64; 2],
+}
+
+impl Domain {
+    /// u in [0, 1], v in [0, 2π], t in [0, 1].
+    pub fn standard(graph: &mut Graph) -> Domain {
+        let (zero, one) = (graph.integer(0), graph.integer(1));
+        let pi = graph.constant(Constant::Pi);
+        let turn = graph.scale(Number::integer(2), pi);
+        Domain { ends: [[zero, one], [zero, turn], [zero, one]], origins: [None; 3] }
+    }
+
+    /// The ranges as numbers.
+    ///
+    /// # Errors
+    /// [`Code::EmptyDomain`] when a range has no extent or its ends are swapped, [`Code::ParameterNotFinite`]
+    /// when an end is not finite.
+    pub fn evaluate(&self, problem: &Problem, bindings: &Bindings) -> Result<DomainValues, Diagnostic> {
+        let mut values = [[0.0; 2]; 3];
+        let ranges = self.ends.iter().zip(self.origins).zip(Variable::ALL).zip(&mut values);
+        for (((ends, origin), variable), value) in ranges {
+            let name = variable.name();
+            let what = format!("the range of {name}");
+            let [low, high] = *ends;
+            *value =
+                [bindings.constant(problem, low, origin, &what)?, bindings.constant(problem, high, origin, &what)?];
+            let [low, high] = *value;
+            if low >= high {
+                let message = format!("the domain {name} in [{low}, {high}] is empty");
+                let finding = Diagnostic::new(Code::EmptyDomain, message);
+                let finding = if low > high {
+                    finding.hint(format!("write the smaller end first: `{name} in [{high}, {low}]`"))
+                } else {
+                    finding.hint("the lower end must be below the upper end")
+                };
+                return Err(match origin {
+                    Some(span) => finding.at(span),
+                    None => finding,
+                });
+            }
+        }
+        let [u, v, t] = values;
+        Ok(DomainValues { u, v, t })
+    }
+}

@@ -1,0 +1,105 @@
+//! What is to be solved, symbolically: patches, their equation, boundary conditions, domain and parameters.
+//!
+//! A [`Problem`] comes from a text through [`resolve`](crate::resolve), or is built here in Rust without any
+//! text. Every expression lives in its graph. Nothing is solved here, and nothing depends on how the problem
+//! was written; places in a source are kept only to be shown in diagnostics.
+
+mod domain;
+mod operator;
+mod parameters;
+
+pub use domain::{Domain, DomainValues};
+pub use operator::{PdeOperator, PdeTerm, STANDARD_COEFFICIENTS};
+pub use parameters::{Bindings, Parameter, ParameterKind};
+
+use crate::diagnostic::Span;
+use crate::expr::{ExprId, Graph};
+
+/// The names of the components of S.
+pub const COMPONENTS: [&str; 3] = ["x", "y", "z"];
+
+/// Patches that share parameters and one expression graph.
+#[derive(Debug, Clone, Default)]
+pub struct Problem {
+    /// Every expression of the problem.
+    pub graph: Graph,
+    /// Parameters and coefficients, each after those its value uses.
+    pub parameters: Vec<Parameter>,
+    /// The patches, in source order.
+    pub patches: Vec<Patch>,
+}
+
+/// One surface patch: a boundary-value problem for `S(u, v, t)`.
+#[derive(Debug, Clone)]
+pub struct Patch {
+    /// What the user calls it.
+    pub name: String,
+    /// Ranges of u, v and t.
+    pub domain: Domain,
+    /// The equation.
+    pub operator: PdeOperator,
+    /// As many conditions as the operator's order in u, by position and then by order.
+    pub conditions: Vec<BoundaryCondition>,
+    /// How the document asks for it to be solved.
+    pub solve: SolveRequest,
+}
+
+/// `∂^order S/∂u^order (u, v, t) = value(v, t)` at one u.
+#[derive(Debug, Clone)]
+pub struct BoundaryCondition {
+    /// The position, constant.
+    pub u: ExprId,
+    /// 0 for position, 1 for tangent, 2 for curvature.
+    pub order: usize,
+    /// The prescribed x, y and z, functions of v and t.
+    pub value: [ExprId; 3],
+    /// Where each component is written.
+    pub origins: [Option<Span>; 3],
+}
+
+/// The `solve` statement as written; methods read their own settings from it.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct SolveRequest {
+    /// The method's name; `None` leaves the choice to `auto`.
+    pub method: Option<String>,
+    /// Where the name is written.
+    pub origin: Option<Span>,
+    /// Settings, in order.
+    pub settings: Vec<RequestedSetting>,
+}
+
+/// One `key = value` of a `solve` statement.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct RequestedSetting {
+    /// The key.
+    pub key: String,
+    /// The value as written, without blanks.
+    pub value: String,
+    /// Where the value is written.
+    pub origin: Option<Span>,
+}
+
+impl BoundaryCondition {
+    /// What the condition fixes, for people: `S at u = 0`, `∂S/∂u at u = 1`.
+    #[must_use]
+    pub fn describe(&self, position: f64) -> String {
+        describe_condition(None, self.order, position)
+    }
+}
+
+/// `S_y at u = 1`, `∂²S/∂u² at u = 0`: a constraint in the reader's words.
+#[must_use]
+pub fn describe_condition(component: Option<usize>, order: usize, position: f64) -> String {
+    let unknown = match component.and_then(|index| COMPONENTS.get(index)) {
+        Some(component) => format!("S_{component}"),
+        None => "S".to_owned(),
+    };
+    let left = match order {
+        0 => unknown,
+        1 => format!("∂{unknown}/∂u"),
+        2 => format!("∂²{unknown}/∂u²"),
+        3 => format!("∂³{unknown}/∂u³"),
+        _ => format!("∂^{order} {unknown}/∂u^{order}"),
+    };
+    format!("{left} at u = {position}")
+}
