@@ -3,3 +3,4 @@ pub mod diagnostic;
 pub mod expr;
 pub mod limits;
 pub mod surface;
+pub mod tessellate;
