@@ -65,6 +65,13 @@ mod tests {
     }
 
     #[test]
+    fn frames_of_a_range_without_length_are_all_its_one_instant() {
+        for t in [0.1, 0.3, 1.7, -2.9] {
+            assert_eq!(instants([t, t], 64, &Limits::default()), Ok(vec![t; 64]));
+        }
+    }
+
+    #[test]
     fn frames_of_the_widest_range_stay_finite() {
         let times = instants([-f64::MAX, f64::MAX], 3, &Limits::default()).unwrap();
         assert_eq!(times, [-f64::MAX, 0.0, f64::MAX]);

@@ -184,6 +184,16 @@ fn stl_facet_normals_agree_with_the_surface() {
 }
 
 #[test]
+fn stl_splits_quads_with_equal_diagonals_all_the_same_way() {
+    // The quads of a torus are symmetric trapezoids; their diagonals differ by rounding only.
+    let mesh = read_stl(bytes(&TORUS_PATCH.scene((4, 31)), Format::Stl));
+    for halves in mesh.faces.chunks(2) {
+        // Split along a-c, both halves begin at a.
+        assert_eq!(halves[0].vertices[0], halves[1].vertices[0]);
+    }
+}
+
+#[test]
 fn stl_of_a_cone_leaves_out_the_empty_triangles_at_the_pole() {
     let mesh = read_stl(bytes(&CONE.scene((4, 8)), Format::Stl));
     assert_eq!((mesh.vertices.len(), mesh.faces.len()), (1 + 4 * 8, 8 + 2 * 3 * 8));
