@@ -1,7 +1,11 @@
 //! trimline
 pub mod diagnostic;
+pub mod export;
 pub mod expr;
 pub mod limits;
+pub mod numeric;
 pub mod problem;
+pub mod resolve;
 pub mod surface;
 pub mod syntax;
+pub mod tessellate;

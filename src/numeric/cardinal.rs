@@ -103,7 +103,12 @@ mod tests {
     fn position_and_tangent_at_both_ends_give_the_cubic_hermite_basis() {
         let cardinal = CardinalPolynomials::new(&[(0.0, 0), (0.0, 1), (1.0, 0), (1.0, 1)]).expect("independent");
         let u = 0.3;
-        let expected = [1.0 - 3.0 * u * u + 2.0 * u * u * u, u - 2.0 * u * u + u * u * u, 3.0 * u * u - 2.0 * u * u * u, -u * u + u * u * u];
+        let expected = [
+            1.0 - 3.0 * u * u + 2.0 * u * u * u,
+            u - 2.0 * u * u + u * u * u,
+            3.0 * u * u - 2.0 * u * u * u,
+            -u * u + u * u * u,
+        ];
         for (value, expected) in cardinal.derivatives(0, u).iter().zip(expected) {
             // Four products and three sums of numbers below 1.
             assert!((value - expected).abs() < 4.0 * f64::EPSILON, "{value} {expected}");

@@ -86,7 +86,8 @@ fn add(
             .hint("derivatives along the trimline follow from S there"));
     }
     if order >= order_in_u {
-        let message = format!("an equation of order {order_in_u} in u takes no constraint on a derivative of order {order}");
+        let message =
+            format!("an equation of order {order_in_u} in u takes no constraint on a derivative of order {order}");
         return Err(Diagnostic::new(Code::WrongConstraintCount, message).at(target.span));
     }
     let value = lowering.value(constraint.value)?;
@@ -170,14 +171,20 @@ fn check_complete(
         let stated: Vec<String> = collected.iter().map(|c| describe_condition(None, c.order, c.position)).collect();
         let stated = if stated.is_empty() { "none".to_owned() } else { stated.join(", ") };
         let count = collected.len();
-        let message = format!("an equation of order {order_in_u} in u needs {order_in_u} boundary constraints on S, {count} are stated");
-        let mut finding = placed(Diagnostic::new(Code::WrongConstraintCount, message), whole).hint(format!("stated: {stated}"));
+        let message = format!(
+            "an equation of order {order_in_u} in u needs {order_in_u} boundary constraints on S, {count} are stated"
+        );
+        let mut finding =
+            placed(Diagnostic::new(Code::WrongConstraintCount, message), whole).hint(format!("stated: {stated}"));
         if let Some(missing) = usual(order_in_u, range)
             .into_iter()
             .find(|(position, order)| !collected.iter().any(|c| c.position == *position && c.order == *order))
             .filter(|_| count < order_in_u)
         {
-            finding = finding.hint(format!("missing, if both ends are to be joined alike: {}", describe_condition(None, missing.1, missing.0)));
+            finding = finding.hint(format!(
+                "missing, if both ends are to be joined alike: {}",
+                describe_condition(None, missing.1, missing.0)
+            ));
         }
         return Err(vec![finding]);
     }

@@ -32,7 +32,9 @@ pub fn resolve(
     let mut found = Diagnostics::new();
     let is_standard = statement.is_none_or(|statement| statement.sides.is_none());
     if is_standard {
-        found.extend(stated.iter().filter(|(name, _)| !is_standard_name(&name.text)).map(|(name, _)| not_standard(name)));
+        found.extend(
+            stated.iter().filter(|(name, _)| !is_standard_name(&name.text)).map(|(name, _)| not_standard(name)),
+        );
         for (name, _, default) in STANDARD_COEFFICIENTS {
             if stated.iter().all(|(stated, _)| stated.text != name) {
                 match default_coefficient(graph, &scope, name, default, document) {
@@ -67,7 +69,9 @@ pub fn resolve(
         }
     };
     let operator = operator.map_err(|finding| vec![finding])?;
-    let unused = stated.iter().filter(|(name, _)| !is_used(graph, &operator, parameters, &name.text, document, sides_of(statement)));
+    let unused = stated
+        .iter()
+        .filter(|(name, _)| !is_used(graph, &operator, parameters, &name.text, document, sides_of(statement)));
     let unused: Diagnostics = unused.map(|(name, _)| unused_coefficient(name)).collect();
     if unused.is_empty() { Ok(operator) } else { Err(unused) }
 }
@@ -103,17 +107,19 @@ fn is_used(
     use crate::syntax::ast::Kind;
     let Some(sides) = sides else { return true };
     let is_named = |text: &str| text == name;
-    let in_text = sides.iter().flat_map(|side| document.tree.parts(*side)).any(|part| match &document.tree.node(part).kind {
-        Kind::Name(found) | Kind::Application(found, _) => is_named(&found.text),
-        _ => false,
-    });
+    let in_text =
+        sides.iter().flat_map(|side| document.tree.parts(*side)).any(|part| match &document.tree.node(part).kind {
+            Kind::Name(found) | Kind::Application(found, _) => is_named(&found.text),
+            _ => false,
+        });
     // A coefficient may also serve a later one: `with a = 2, b = a^2`.
     let _ = (graph, operator);
-    in_text || parameters.iter().filter(|other| other.name != name).any(|other| {
-        graph.reachable(&[other.value]).iter().any(|part| {
+    in_text
+        || parameters.iter().filter(|other| other.name != name).any(|other| {
+            graph.reachable(&[other.value]).iter().any(|part| {
             matches!(graph.node(*part), crate::expr::Node::Symbol(symbol) if graph.symbol_name(*symbol) == name)
         })
-    })
+        })
 }
 
 fn default_coefficient(
@@ -131,7 +137,9 @@ fn default_coefficient(
             format!("`{name}` is also the name of a coefficient of the standard equation, which this document uses"),
         );
         let finding = declared.filter(|found| found.text == name).fold(finding, |finding, name| finding.at(name.span));
-        return Err(finding.hint(format!("rename it, or state the equation with `pde … = 0`, or say `pde with {name} = …`")));
+        return Err(
+            finding.hint(format!("rename it, or state the equation with `pde … = 0`, or say `pde with {name} = …`"))
+        );
     }
     let value = graph.integer(default);
     Ok(Parameter {
@@ -179,7 +187,8 @@ fn text_equation(
 ) -> Result<PdeOperator, Diagnostic> {
     let (left_form, right_form) = (lowering.form(left)?, lowering.form(right)?);
     let mut terms: Vec<PdeTerm> = Vec::new();
-    let signed = left_form.unknown.iter().map(|term| (false, term)).chain(right_form.unknown.iter().map(|term| (true, term)));
+    let signed =
+        left_form.unknown.iter().map(|term| (false, term)).chain(right_form.unknown.iter().map(|term| (true, term)));
     for (is_negative, (derivative, coefficient)) in signed {
         let coefficient =
             components(*coefficient).map(|expr| if is_negative { lowering.graph.neg(expr) } else { expr });
@@ -217,16 +226,15 @@ fn force(
         if let Value::Scalar(expr) = value
             && !lowering.graph.is_zero(expr)
         {
-            return Err(Diagnostic::new(Code::NotScalar, "the equation is for a vector, so a term without S must be one")
-                .at(lowering.tree.span(expression))
-                .hint("write the force as `[qx, qy, qz]`"));
+            return Err(Diagnostic::new(
+                Code::NotScalar,
+                "the equation is for a vector, so a term without S must be one",
+            )
+            .at(lowering.tree.span(expression))
+            .hint("write the force as `[qx, qy, qz]`"));
         }
     }
     let (left, right) = (components(left.1), components(right.1));
     let [x, y, z] = left.map(|expr| lowering.graph.neg(expr));
-    Ok([
-        lowering.graph.sum([right[0], x]),
-        lowering.graph.sum([right[1], y]),
-        lowering.graph.sum([right[2], z]),
-    ])
+    Ok([lowering.graph.sum([right[0], x]), lowering.graph.sum([right[1], y]), lowering.graph.sum([right[2], z])])
 }

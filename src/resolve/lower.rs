@@ -55,7 +55,8 @@ impl Lowering<'_> {
         if form.unknown.is_empty() {
             return Ok(form.value);
         }
-        let unknown = self.tree.parts(root).into_iter().find(|part| matches!(self.tree.node(*part).kind, Kind::Unknown(_)));
+        let unknown =
+            self.tree.parts(root).into_iter().find(|part| matches!(self.tree.node(*part).kind, Kind::Unknown(_)));
         let span = self.tree.span(unknown.unwrap_or(root));
         Err(Diagnostic::new(Code::NotBoundaryData, "`S` is what is to be found, so it cannot stand here").at(span))
     }
@@ -163,7 +164,8 @@ impl Lowering<'_> {
                     self.multiply(factor, other, span)
                 }
                 _ => {
-                    let message = format!("`{}` is not a function, so it cannot take {} arguments", name.text, arguments.len());
+                    let message =
+                        format!("`{}` is not a function, so it cannot take {} arguments", name.text, arguments.len());
                     Err(Diagnostic::new(Code::WrongArity, message).at(span))
                 }
             },
@@ -409,5 +411,6 @@ fn wrong_arity(name: &str, expected: usize, found: usize, span: Span) -> Diagnos
 
 /// The walk visits parts first, so a part is never missing.
 fn missing(span: Span) -> Diagnostic {
-    Diagnostic::new(Code::UnexpectedText, "an expression uses a part that was not read: please report this text").at(span)
+    Diagnostic::new(Code::UnexpectedText, "an expression uses a part that was not read: please report this text")
+        .at(span)
 }

@@ -173,7 +173,9 @@ fn domain(document: &Document, graph: &mut Graph, scope: &Scope, limits: &Limits
         if let Some(first) = origin {
             let message = format!("the domain of {} is stated twice", range.variable.text);
             found.push(
-                Diagnostic::new(Code::DuplicateStatement, message).at(range.variable.span).label(*first, "first stated here"),
+                Diagnostic::new(Code::DuplicateStatement, message)
+                    .at(range.variable.span)
+                    .label(*first, "first stated here"),
             );
             continue;
         }

@@ -84,9 +84,7 @@ impl Scope {
             (Some((_, None)), _) => Err(Diagnostic::new(Code::DuplicateName, format!("`{text}` is reserved"))
                 .at(name.span)
                 .hint("u, v and t are the coordinates, pi and e are numbers; choose another name")),
-            (None, "S") => {
-                Err(Diagnostic::new(Code::DuplicateName, "`S` is the surface to be found").at(name.span))
-            }
+            (None, "S") => Err(Diagnostic::new(Code::DuplicateName, "`S` is the surface to be found").at(name.span)),
             (None, _) => Ok(()),
         }
     }

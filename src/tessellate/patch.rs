@@ -1,0 +1,75 @@
+//! One patch at one instant becomes one mesh.
+
+use crate::diagnostic::{Code, Diagnostic};
+use crate::surface::Surface;
+
+use super::grid::Grid;
+use super::instants::evenly_spaced;
+use super::mesh::Mesh;
+use super::normals::normals;
+use super::samples::Samples;
+
+/// Below this a ring is no ring: two quads around would share both their sides, one quad its own.
+const SMALLEST_RING: usize = 3;
+
+/// Cuts `surface` at instant `t` into quads over the parameter ranges `(u_range, v_range)`.
+///
+/// Normals are those of the surface, from its exact derivatives, not of the quads. Where `S_u x S_v` vanishes, as
+/// at a pole, a vertex gets the mean of the adjacent quads' normals, weighted by area. If S, S_u and S_v on the
+/// last column equal those on the first up to rounding, and there are at least three columns, the two are welded.
+///
+/// Returns the mesh and at most one warning, [`Code::DegenerateNormals`], when vertices are left whose normal
+/// nothing determines; they get (0, 0, 1).
+///
+/// # Errors
+/// What the surface reports, among it a derivative that does not exist; [`Code::EmptyDomain`] when a range is
+/// not finite and ascending; [`Code::SettingOutOfRange`] when `t` is not finite; [`Code::SolutionNotFinite`]
+/// when the surface yields a value that is not finite without reporting it.
+pub fn tessellate(
+    name: &str,
+    surface: &dyn Surface,
+    (u_range, v_range): ([f64; 2], [f64; 2]),
+    t: f64,
+    grid: Grid,
+) -> Result<(Mesh, Vec<Diagnostic>), Diagnostic> {
+    for ([start, end], parameter) in [(u_range, "u"), (v_range, "v")] {
+        // A descending range would turn the quads against the normals.
+        if !(start < end && start.is_finite() && end.is_finite()) {
+            return Err(Diagnostic::new(
+                Code::EmptyDomain,
+                format!("`{name}` has no extent: {parameter} from {start} to {end}"),
+            ));
+        }
+    }
+    if !t.is_finite() {
+        return Err(Diagnostic::new(Code::SettingOutOfRange, format!("`{name}` has no shape at t = {t}")));
+    }
+    let u = evenly_spaced(u_range, grid.u_cells());
+    let mut v = evenly_spaced(v_range, grid.v_cells());
+    let mut samples = Samples::evaluate(name, surface, (&u, &v, t))?;
+    let is_closed_in_v = grid.v_cells() >= SMALLEST_RING && samples.closes_in_v();
+    if is_closed_in_v {
+        samples = samples.without_last_column();
+        v.pop();
+    }
+    let quads = grid.quads(is_closed_in_v);
+    let (normals, arbitrary) = normals(&samples, &quads);
+    let warnings = if arbitrary == 0 { Vec::new() } else { vec![degenerate(name, arbitrary, normals.len())] };
+    let mesh = Mesh {
+        name: name.to_owned(),
+        positions: samples.position,
+        normals,
+        uv: u.iter().flat_map(|&u| v.iter().map(move |&v| [u, v])).collect(),
+        quads,
+        is_closed_in_v,
+    };
+    Ok((mesh, warnings))
+}
+
+fn degenerate(name: &str, arbitrary: usize, vertices: usize) -> Diagnostic {
+    Diagnostic::new(
+        Code::DegenerateNormals,
+        format!("`{name}` has no normal at {arbitrary} of {vertices} vertices; they are given (0, 0, 1)"),
+    )
+    .hint("the surface shrinks to a curve or a point there, or folds back on itself")
+}

@@ -1,0 +1,5 @@
+//! The integration tests, one binary.
+
+mod analytic;
+mod exports;
+mod meshes;
