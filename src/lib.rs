@@ -1,4 +1,5 @@
 //! trimline
+pub mod decompose;
 pub mod diagnostic;
 pub mod export;
 pub mod expr;
@@ -9,3 +10,4 @@ pub mod resolve;
 pub mod surface;
 pub mod syntax;
 pub mod tessellate;
+pub mod trial;

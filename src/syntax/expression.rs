@@ -136,6 +136,7 @@ impl Builder<'_> {
         let whole = self.span(&pair);
         let kind = match pair.as_rule() {
             Rule::number => return self.number(pair.as_str(), whole),
+            Rule::pi => Kind::Name(Name { text: "pi".to_owned(), span: whole }),
             Rule::derivative => Kind::Unknown(self.derivative(pair)?),
             Rule::unknown => Kind::Unknown(self.unknown(&pair)),
             Rule::application => {

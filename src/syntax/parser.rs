@@ -81,6 +81,7 @@ fn words(rule: Rule) -> Option<&'static str> {
         | Rule::bracketed
         | Rule::root
         | Rule::number
+        | Rule::pi
         | Rule::application
         | Rule::exponent
         | Rule::bare_factor

@@ -1,0 +1,162 @@
+//! Expansion of an expression in v and t into `Σ coefficient(params) * monomial(v, t)`.
+//!
+//! A loop over the nodes of the expression, operands first. Sums merge, products multiply out, integer powers of
+//! sums multiply out, `exp(a + v)` splits into `exp(a)` and `exp(v)`, arguments of other functions are
+//! expanded so that `sin(2(v + 1))` and `sin(2v + 2)` are one function. Whatever cannot be taken apart is one
+//! factor. The number of monomials is bounded at every step.
+
+use indexmap::IndexMap;
+use rustc_hash::{FxBuildHasher, FxHashMap};
+
+use crate::diagnostic::{Code, Diagnostic};
+use crate::expr::{ExprId, Function, Graph, Node};
+use crate::limits::Limits;
+
+/// Coefficients by monomial, in order of first appearance.
+pub type Monomials = IndexMap<ExprId, ExprId, FxBuildHasher>;
+
+/// Expands `expr`, which must not depend on u; monomials whose coefficient is zero are left out.
+///
+/// # Errors
+/// [`Code::LimitReached`] without a place, which the caller knows.
+pub fn expand(graph: &mut Graph, expr: ExprId, limits: &Limits) -> Result<Monomials, Diagnostic> {
+    let mut known: FxHashMap<ExprId, Monomials> = FxHashMap::default();
+    for id in graph.reachable(&[expr]) {
+        let monomials = expand_node(graph, id, &known, limits)?;
+        if graph.len() > limits.graph_nodes {
+            return Err(limit("the expanded data have more distinct parts", "graph-nodes", limits.graph_nodes));
+        }
+        known.insert(id, monomials);
+    }
+    let mut result = known.remove(&expr).unwrap_or_default();
+    result.retain(|_, coefficient| !graph.is_zero(*coefficient));
+    Ok(result)
+}
+
+fn expand_node(
+    graph: &mut Graph,
+    id: ExprId,
+    known: &FxHashMap<ExprId, Monomials>,
+    limits: &Limits,
+) -> Result<Monomials, Diagnostic> {
+    let one = graph.integer(1);
+    if graph.dependence(id).is_constant() {
+        return Ok([(one, id)].into_iter().collect());
+    }
+    let of = |id: &ExprId| known.get(id).cloned().unwrap_or_default();
+    match graph.node(id).clone() {
+        Node::Sum(terms) => {
+            let mut sum = Monomials::default();
+            for term in terms.iter() {
+                for (monomial, coefficient) in of(term) {
+                    add(graph, &mut sum, monomial, coefficient);
+                }
+                bounded(&sum, limits)?;
+            }
+            Ok(sum)
+        }
+        Node::Product(factors) => {
+            let mut product: Monomials = [(one, one)].into_iter().collect();
+            for factor in factors.iter() {
+                product = multiply(graph, &product, &of(factor), limits)?;
+            }
+            Ok(product)
+        }
+        Node::Power(base, exponent) => {
+            let integer = graph.as_number(exponent).and_then(|number| number.as_integer());
+            match (integer, of(&base)) {
+                (Some(times), sum) if times > 0 && sum.len() > 1 => power(graph, &sum, times, limits),
+                (Some(_), single) if single.len() == 1 => {
+                    let raised = single.into_iter().map(|(monomial, coefficient)| {
+                        (graph.power(monomial, exponent), graph.power(coefficient, exponent))
+                    });
+                    let raised: Vec<(ExprId, ExprId)> = raised.collect();
+                    Ok(raised.into_iter().collect())
+                }
+                _ => Ok(factor(graph, id)),
+            }
+        }
+        Node::Call(Function::Exp, arguments) => {
+            let Some(argument) = arguments.first() else { return Ok(factor(graph, id)) };
+            let mut argument = of(argument);
+            let constant = argument.shift_remove(&one).unwrap_or_else(|| graph.integer(0));
+            let varying = assemble(graph, &argument);
+            let monomial = graph.call(Function::Exp, &[varying]);
+            Ok([(monomial, graph.call(Function::Exp, &[constant]))].into_iter().collect())
+        }
+        Node::Call(function, arguments) => {
+            let mut expanded = Vec::with_capacity(arguments.len());
+            for argument in arguments.iter() {
+                expanded.push(assemble(graph, &of(argument)));
+            }
+            let value = graph.call(function, &expanded);
+            Ok(factor(graph, value))
+        }
+        _ => Ok(factor(graph, id)),
+    }
+}
+
+/// `expr` as a number times one monomial; a constant, if it turned out as one.
+fn factor(graph: &mut Graph, expr: ExprId) -> Monomials {
+    let one = graph.integer(1);
+    if graph.dependence(expr).is_constant() {
+        return [(one, expr)].into_iter().collect();
+    }
+    let (number, monomial) = graph.split_factor(expr);
+    [(monomial, graph.number(number))].into_iter().collect()
+}
+
+fn assemble(graph: &mut Graph, monomials: &Monomials) -> ExprId {
+    let terms: Vec<ExprId> =
+        monomials.iter().map(|(monomial, coefficient)| graph.product([*coefficient, *monomial])).collect();
+    graph.sum(terms)
+}
+
+fn add(graph: &mut Graph, sum: &mut Monomials, monomial: ExprId, coefficient: ExprId) {
+    // Merging factors can leave a number in front, which belongs to the coefficient.
+    let (number, monomial) = match graph.as_number(monomial) {
+        Some(number) => (number, graph.integer(1)),
+        None => graph.split_factor(monomial),
+    };
+    let coefficient = graph.scale(number, coefficient);
+    match sum.get(&monomial).copied() {
+        Some(before) => sum.insert(monomial, graph.sum([before, coefficient])),
+        None => sum.insert(monomial, coefficient),
+    };
+}
+
+fn multiply(graph: &mut Graph, left: &Monomials, right: &Monomials, limits: &Limits) -> Result<Monomials, Diagnostic> {
+    let mut product = Monomials::default();
+    for (&monomial, &coefficient) in left {
+        for (&other, &factor) in right {
+            let monomial = graph.product([monomial, other]);
+            let coefficient = graph.product([coefficient, factor]);
+            add(graph, &mut product, monomial, coefficient);
+        }
+        bounded(&product, limits)?;
+        if graph.len() > limits.graph_nodes {
+            return Err(limit("the expanded data have more distinct parts", "graph-nodes", limits.graph_nodes));
+        }
+    }
+    Ok(product)
+}
+
+fn power(graph: &mut Graph, base: &Monomials, times: i32, limits: &Limits) -> Result<Monomials, Diagnostic> {
+    let mut product = base.clone();
+    for _ in 1..times {
+        product = multiply(graph, &product, base, limits)?;
+    }
+    Ok(product)
+}
+
+fn bounded(monomials: &Monomials, limits: &Limits) -> Result<(), Diagnostic> {
+    if monomials.len() <= limits.monomials {
+        return Ok(());
+    }
+    Err(limit("this expands to more terms", "monomials", limits.monomials))
+}
+
+fn limit(what: &str, name: &str, value: usize) -> Diagnostic {
+    Diagnostic::new(Code::LimitReached, format!("{what} than the limit `{name}` of {value}"))
+        .hint("write it as a product or power of one function, or simplify it")
+}

@@ -1,0 +1,133 @@
+//! Factors boundary expressions into basis functions `F_j(v, t)` and vector coefficients.
+//!
+//! Input: a patch of a [`Problem`]; output: a [`Decomposition`] such that for every condition i
+//! `g_i(v, t) = Σ_j c_ij F_j(v, t)` (docs/methods.md, D1; You, Ugail and Zhang 2012, Eq. 6, where the c_ij of
+//! the four conditions are b_j, b̄_j, d_j, d̄_j).
+//!
+//! A basis function is a product of factors that depend on v or t; everything that depends on parameters alone
+//! goes to the coefficients. Invariant: the order of the basis is first use in the source, so equal documents
+//! give equal bytes. Absent on purpose: numbers. Parameters stay symbols; see
+//! [`Bindings`](crate::problem::Bindings).
+
+mod expand;
+mod text;
+
+use indexmap::IndexMap;
+use rustc_hash::FxBuildHasher;
+
+use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::expr::{Derivative, ExprId, Graph, NotDifferentiable};
+use crate::limits::Limits;
+use crate::problem::{Patch, Problem};
+
+/// The boundary data of one patch in terms of one basis.
+#[derive(Debug, Clone)]
+pub struct Decomposition {
+    /// The problem's graph, extended by what the decomposition made.
+    pub graph: Graph,
+    /// The patch it belongs to.
+    pub patch: Patch,
+    /// The basis, in order of first use.
+    pub basis: Vec<BasisFunction>,
+    /// For each condition of the patch, in order, the vector coefficient of each basis function.
+    pub coefficients: Vec<Vec<[ExprId; 3]>>,
+}
+
+/// One `F_j(v, t)` and the derivatives of it that the equation takes.
+#[derive(Debug, Clone)]
+pub struct BasisFunction {
+    /// The function.
+    pub expr: ExprId,
+    /// The boundary expression it was first found in.
+    pub origin: Option<Span>,
+    /// Derivatives in v and t, those of [`PdeOperator::basis_derivatives`](crate::problem::PdeOperator::basis_derivatives).
+    pub derivatives: Vec<(Derivative, ExprId)>,
+}
+
+/// Decomposes the boundary data of `patch`, which belongs to `problem`.
+///
+/// Cost: the number of monomials of the expanded data, which is bounded.
+///
+/// # Errors
+/// [`Code::LimitReached`] when an expansion or the basis grows past its limit; [`Code::NotDifferentiable`]
+/// when the equation needs a derivative that a basis function does not have. Both name the function and its place.
+pub fn decompose(problem: &Problem, patch: &Patch, limits: &Limits) -> Result<Decomposition, Diagnostic> {
+    let mut graph = problem.graph.clone();
+    let zero = graph.integer(0);
+    // For each basis function: its place, and its coefficient in each condition and component.
+    type Row = (Option<Span>, Vec<[ExprId; 3]>);
+    let mut rows: IndexMap<ExprId, Row, FxBuildHasher> = IndexMap::default();
+    for (condition, component) in in_source_order(patch) {
+        let Some(stated) = patch.conditions.get(condition) else { continue };
+        let (Some(&value), origin) = (stated.value.get(component), stated.origins.get(component).copied().flatten())
+        else {
+            continue;
+        };
+        let monomials = expand::expand(&mut graph, value, limits).map_err(|finding| placed(finding, origin))?;
+        for (function, coefficient) in monomials {
+            let empty = || (origin, vec![[zero; 3]; patch.conditions.len()]);
+            let (_, coefficients) = rows.entry(function).or_insert_with(empty);
+            if let Some(slot) = coefficients.get_mut(condition).and_then(|each| each.get_mut(component)) {
+                *slot = coefficient;
+            }
+            if rows.len() > limits.basis_functions {
+                let limit = limits.basis_functions;
+                let message =
+                    format!("the boundary data need more basis functions than the limit `basis-functions` of {limit}");
+                return Err(placed(Diagnostic::new(Code::LimitReached, message), origin));
+            }
+        }
+    }
+    let wanted = patch.operator.basis_derivatives();
+    let mut basis = Vec::with_capacity(rows.len());
+    for (&expr, (origin, _)) in &rows {
+        let mut derivatives = Vec::with_capacity(wanted.len());
+        for &orders in &wanted {
+            let derivative =
+                graph.derivative(expr, orders).map_err(|fault| not_differentiable(fault, orders, *origin))?;
+            check_size(&graph, limits, *origin)?;
+            derivatives.push((orders, derivative));
+        }
+        basis.push(BasisFunction { expr, origin: *origin, derivatives });
+    }
+    let coefficients = (0..patch.conditions.len())
+        .map(|condition| rows.values().map(|(_, each)| each.get(condition).copied().unwrap_or([zero; 3])).collect())
+        .collect();
+    Ok(Decomposition { graph, patch: patch.clone(), basis, coefficients })
+}
+
+/// Conditions and components in the order in which they are written; those without a place keep theirs.
+fn in_source_order(patch: &Patch) -> Vec<(usize, usize)> {
+    let mut all: Vec<(usize, usize)> =
+        (0..patch.conditions.len()).flat_map(|condition| (0..3).map(move |component| (condition, component))).collect();
+    all.sort_by_key(|(condition, component)| {
+        patch.conditions.get(*condition).and_then(|stated| stated.origins.get(*component).copied().flatten())
+    });
+    all
+}
+
+/// The finding for a function without a needed derivative.
+pub(crate) fn not_differentiable(fault: NotDifferentiable, orders: Derivative, origin: Option<Span>) -> Diagnostic {
+    let name = fault.function.row().name;
+    let message = format!("`{name}` has no derivative, and its derivative `{orders}` is needed");
+    placed(Diagnostic::new(Code::NotDifferentiable, message), origin).hint("use a smooth function in its place")
+}
+
+fn check_size(graph: &Graph, limits: &Limits, origin: Option<Span>) -> Result<(), Diagnostic> {
+    if graph.len() <= limits.graph_nodes {
+        return Ok(());
+    }
+    let message =
+        format!("the derivatives have more distinct parts than the limit `graph-nodes` of {}", limits.graph_nodes);
+    Err(placed(Diagnostic::new(Code::LimitReached, message), origin))
+}
+
+fn placed(finding: Diagnostic, origin: Option<Span>) -> Diagnostic {
+    match (finding.span, origin) {
+        (None, Some(span)) => finding.at(span),
+        _ => finding,
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,143 @@
+//! Trial families φ_k(u), corrected to be invisible to the boundary.
+//!
+//! With cardinal functions ξ_i of the boundary functionals ℓ_i (position, tangent, … at fixed u), the corrected
+//! trial function is `ζ_k = φ_k - Σ_i ξ_i ℓ_i[φ_k]` (docs/methods.md, T1; the corrected Eq. 12 of You, Ugail
+//! and Zhang 2012). A surface `Σ_i ξ_i c_i + Σ_k ζ_k P_k` then meets its boundary for any P.
+//!
+//! A new family is one file here and one line in [`FAMILIES`].
+
+mod sine;
+
+pub use sine::Sine;
+
+use std::fmt::Debug;
+
+use crate::numeric::CardinalPolynomials;
+
+/// Functions φ_1, φ_2, … of u with all their derivatives.
+pub trait TrialFamily: Debug + Send + Sync {
+    /// The name users give it.
+    fn name(&self) -> &'static str;
+
+    /// The derivatives of order `order` of φ_1 … φ_count at `u` in `range`.
+    fn derivatives(&self, count: usize, order: usize, u: f64, range: [f64; 2]) -> Vec<f64>;
+}
+
+/// Every family.
+pub const FAMILIES: &[&dyn TrialFamily] = &[&Sine];
+
+/// The functions of u that a surface is made of: ξ_1 … ξ_n, then ζ_1 … ζ_K.
+#[derive(Debug, Clone)]
+pub struct CorrectedTrial {
+    family: &'static dyn TrialFamily,
+    count: usize,
+    range: [f64; 2],
+    cardinal: CardinalPolynomials,
+    /// Row k holds `ℓ_i[φ_k]` for every functional i.
+    boundary_values: Vec<Vec<f64>>,
+}
+
+impl CorrectedTrial {
+    /// `count` functions of `family` over `range`, corrected for `functionals`, pairs of a position and an order.
+    ///
+    /// `None` if the functionals are dependent.
+    #[must_use]
+    pub fn new(
+        family: &'static dyn TrialFamily,
+        count: usize,
+        range: [f64; 2],
+        functionals: &[(f64, usize)],
+    ) -> Option<Self> {
+        let cardinal = CardinalPolynomials::new(functionals)?;
+        let at_boundary: Vec<Vec<f64>> =
+            functionals.iter().map(|&(u, order)| family.derivatives(count, order, u, range)).collect();
+        let row = |k: usize| at_boundary.iter().filter_map(|values| values.get(k).copied()).collect();
+        let boundary_values = (0..count).map(row).collect();
+        Some(CorrectedTrial { family, count, range, cardinal, boundary_values })
+    }
+
+    /// The number of boundary functionals: the first so many functions are the ξ_i.
+    #[must_use]
+    pub fn cardinal_count(&self) -> usize {
+        self.cardinal.len()
+    }
+
+    /// The number of functions.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.cardinal.len() + self.count
+    }
+
+    /// Whether there are none; never true.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The derivatives of order `order` of ξ_1 … ξ_n, ζ_1 … ζ_K at `u`.
+    #[must_use]
+    pub fn derivatives(&self, order: usize, u: f64) -> Vec<f64> {
+        let mut values = self.cardinal.derivatives(order, u);
+        let raw = self.family.derivatives(self.count, order, u, self.range);
+        let corrected: Vec<f64> = raw
+            .iter()
+            .zip(&self.boundary_values)
+            .map(|(value, at_boundary)| {
+                value - at_boundary.iter().zip(&values).map(|(factor, cardinal)| factor * cardinal).sum::<f64>()
+            })
+            .collect();
+        values.extend(corrected);
+        values
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::PI;
+
+    #[test]
+    fn corrected_sines_match_the_corrected_equation_12() {
+        let functionals = [(0.0, 0), (0.0, 1), (1.0, 0), (1.0, 1)];
+        let trial = CorrectedTrial::new(&Sine, 5, [0.0, 1.0], &functionals).expect("independent");
+        let u: f64 = 0.37;
+        for (k, value) in (1..=5).zip(trial.derivatives(0, u).into_iter().skip(4)) {
+            let (k_pi, sign) = (f64::from(k) * PI, if k % 2 == 0 { 1.0 } else { -1.0 });
+            let expected = (k_pi * u).sin() - k_pi * u + k_pi * (2.0 + sign) * u * u - k_pi * (1.0 + sign) * u * u * u;
+            // A dozen operations on numbers below 3 k pi < 48.
+            assert!((value - expected).abs() < 12.0 * 48.0 * f64::EPSILON, "{k}: {value} {expected}");
+        }
+    }
+
+    #[test]
+    fn corrected_functions_vanish_at_the_boundary_on_any_interval() {
+        let functionals = [(-1.0, 0), (-1.0, 1), (-1.0, 2), (2.5, 0), (2.5, 1), (2.5, 2)];
+        for &family in FAMILIES {
+            let trial = CorrectedTrial::new(family, 6, [-1.0, 2.5], &functionals).expect("independent");
+            for (u, order) in functionals {
+                for value in trial.derivatives(order, u).into_iter().skip(6) {
+                    // Second derivatives of φ_6 reach (6π/3.5)² < 30, cancelled to rounding.
+                    assert!(value.abs() < 1e-12, "{} {u} {order} {value}", family.name());
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn derivatives_agree_with_difference_quotients() {
+        let functionals = [(0.0, 0), (0.0, 1), (1.0, 0), (1.0, 1)];
+        for &family in FAMILIES {
+            let trial = CorrectedTrial::new(family, 4, [0.0, 1.0], &functionals).expect("independent");
+            let (u, h) = (0.4, 1e-5);
+            for order in 0..6_usize {
+                let (after, before) = (trial.derivatives(order, u + h), trial.derivatives(order, u - h));
+                for ((a, b), slope) in after.iter().zip(before).zip(trial.derivatives(order + 1, u)) {
+                    let quotient = (a - b) / (2.0 * h);
+                    // Truncation h²/6 times the third derivative, rounding ε/h: both below 1e-8 of (4π)^order.
+                    let size = (4.0 * PI).powi(i32::try_from(order).expect("small") + 3).max(1.0);
+                    assert!((quotient - slope).abs() < 1e-10 * size, "{order}: {quotient} {slope}");
+                }
+            }
+        }
+    }
+}
