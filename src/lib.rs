@@ -1,5 +1,6 @@
 //! trimline
 pub mod diagnostic;
+pub mod eval;
 pub mod expr;
 pub mod limits;
 pub mod surface;
