@@ -225,8 +225,8 @@ fn slices_may_start_anywhere(make: Make) -> Verdict {
         let count = 290;
         let mut values = vec![-123.456; outputs.len() * count + start + 1];
         let used = start..start + outputs.len() * count;
-        let part = |column| -> &[f64] { &<Vec<f64> as AsRef<[f64]>>::as_ref(column)[start..start + count] };
-        let samples = Samples { u: part(&u), v: part(&v), t: part(&t) };
+        let part = start..start + count;
+        let samples = Samples { u: &u[part.clone()], v: &v[part.clone()], t: &t[part] };
         evaluator.evaluate(&params[1..], samples, &mut values[used.clone()]).map_err(|error| error.to_string())?;
         for (row, found) in whole.chunks(300).zip(values[used.clone()].chunks(count)) {
             for (&expected, &found) in row[start..].iter().zip(found) {
