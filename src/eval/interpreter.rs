@@ -58,25 +58,27 @@ impl Interpreter {
         Interpreter { program, steps, registers }
     }
 
-    /// Runs every step on one block; `start` is its position among all samples.
+    /// Runs every step on one block, and hands every output to `store`.
     fn run(
         &self,
         uniform: &[f64],
         samples: Samples<'_>,
-        registers: &mut [Vec<f64>],
+        registers: &mut [f64],
         mut store: impl FnMut(usize, Block<'_>),
     ) {
+        let length = samples.u.len();
         for step in &self.steps {
             match *step {
                 Step::Compute { target, op } => {
-                    let slot = registers.get_mut(target).expect("every target has a register");
-                    let mut block = std::mem::take(slot);
-                    compute(op.map(|operand| resolve(operand, uniform, samples, registers)), &mut block);
-                    if let Some(slot) = registers.get_mut(target) {
-                        *slot = block;
-                    }
+                    let (before, rest) = registers.split_at_mut(target * length);
+                    let (block, after) = rest.split_at_mut(length);
+                    let inputs = Inputs { uniform, samples, before, after };
+                    compute(op.map(|operand| inputs.block(operand)), block);
                 }
-                Step::Store { output, from } => store(output, resolve(from, uniform, samples, registers)),
+                Step::Store { output, from } => {
+                    let inputs = Inputs { uniform, samples, before: registers, after: &[] };
+                    store(output, inputs.block(from));
+                }
             }
         }
     }
@@ -90,12 +92,9 @@ impl Evaluator for Interpreter {
     fn evaluate(&self, params: &[f64], samples: Samples<'_>, values: &mut [f64]) -> Result<(), EvalError> {
         let points = checked_points(&self.program, params, samples, values)?;
         let uniform = uniform_values(&self.program, params);
-        let mut registers = vec![vec![0.0; points.min(BLOCK)]; self.registers];
+        let mut registers = vec![0.0; self.registers * points.min(BLOCK)];
         let blocks = samples.u.chunks(BLOCK).zip(samples.v.chunks(BLOCK)).zip(samples.t.chunks(BLOCK));
         for (index, ((u, v), t)) in blocks.enumerate() {
-            for register in &mut registers {
-                register.truncate(u.len());
-            }
             self.run(&uniform, Samples { u, v, t }, &mut registers, |output, block| {
                 let start = output * points + index * BLOCK;
                 let row = values.get_mut(start..start + u.len()).expect("values are outputs times points long");
@@ -106,6 +105,37 @@ impl Evaluator for Interpreter {
             });
         }
         Ok(())
+    }
+}
+
+/// Everything a step may read: all registers but its target, which lies between `before` and `after`.
+struct Inputs<'a> {
+    uniform: &'a [f64],
+    samples: Samples<'a>,
+    before: &'a [f64],
+    after: &'a [f64],
+}
+
+impl<'a> Inputs<'a> {
+    fn block(&self, operand: Operand) -> Block<'a> {
+        match operand {
+            Operand::Uniform(index) => Block::Same(*self.uniform.get(index).expect("every uniform op has a value")),
+            Operand::Variable(Variable::U) => Block::Each(self.samples.u),
+            Operand::Variable(Variable::V) => Block::Each(self.samples.v),
+            Operand::Variable(Variable::T) => Block::Each(self.samples.t),
+            Operand::Register(index) => {
+                let length = self.samples.u.len();
+                let start = index * length;
+                let register = if start < self.before.len() {
+                    self.before.get(start..start + length)
+                } else {
+                    // The target, of one register's length, is left out.
+                    let start = start - self.before.len() - length;
+                    self.after.get(start..start + length)
+                };
+                Block::Each(register.expect("an operand is in a register other than the target"))
+            }
+        }
     }
 }
 
@@ -162,16 +192,6 @@ impl Operand {
             Operand::Register(register) => Some(register),
             Operand::Uniform(_) | Operand::Variable(_) => None,
         }
-    }
-}
-
-fn resolve<'a>(operand: Operand, uniform: &[f64], samples: Samples<'a>, registers: &'a [Vec<f64>]) -> Block<'a> {
-    match operand {
-        Operand::Uniform(index) => Block::Same(*uniform.get(index).expect("every uniform op has a value")),
-        Operand::Variable(Variable::U) => Block::Each(samples.u),
-        Operand::Variable(Variable::V) => Block::Each(samples.v),
-        Operand::Variable(Variable::T) => Block::Each(samples.t),
-        Operand::Register(index) => Block::Each(registers.get(index).expect("every operand has a register")),
     }
 }
 
