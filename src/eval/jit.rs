@@ -180,6 +180,11 @@ struct Inputs {
     offset: Value,
 }
 
+/// Writes the function's instructions.
+///
+/// Every address it forms is one of three: a coordinate's base plus an offset that is a multiple of 8 below 8 times
+/// the samples; the parameters' base plus 8 times an index below [`Program::symbols`]; the values' base plus such an
+/// offset plus k rows for output k. The loop is not entered for no samples.
 struct Emitter<'a, 'b> {
     builder: &'a mut FunctionBuilder<'b>,
     program: &'a Program,
