@@ -146,8 +146,14 @@ fn checked_points(program: &Program, params: &[f64], samples: Samples<'_>, value
 }
 
 /// `value`, with every NaN made the same one: arithmetic does not define which NaN it returns.
+///
+/// Decided on the bits. Optimisers take `if value.is_nan() { f64::NAN } else { value }` for `value` when they see
+/// the arithmetic that made it, since that may return any NaN.
 fn canonical(value: f64) -> f64 {
-    if value.is_nan() { f64::NAN } else { value }
+    const WITHOUT_SIGN: u64 = u64::MAX >> 1;
+    let bits = value.to_bits();
+    let is_nan = bits & WITHOUT_SIGN > f64::INFINITY.to_bits();
+    f64::from_bits(if is_nan { f64::NAN.to_bits() } else { bits })
 }
 
 #[cfg(test)]

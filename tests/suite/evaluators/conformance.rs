@@ -61,12 +61,18 @@ pub fn conform(make: Make) -> Verdict {
 }
 
 fn same(what: &str, found: f64, expected: f64) -> Verdict {
-    let expected = if expected.is_nan() { f64::NAN } else { expected };
-    if found.to_bits() == expected.to_bits() {
+    let (found, expected) = (found.to_bits(), canonical_bits(expected));
+    if found == expected {
         Ok(())
     } else {
-        Err(format!("{what}: {found:?} ({:#x}), expected {expected:?} ({:#x})", found.to_bits(), expected.to_bits()))
+        let [is, should] = [found, expected].map(f64::from_bits);
+        Err(format!("{what}: {is:?} ({found:#x}), expected {should:?} ({expected:#x})"))
     }
+}
+
+/// The bits that an evaluator stores for `value`: every NaN is stored as the same one.
+pub fn canonical_bits(value: f64) -> u64 {
+    if value.is_nan() { f64::NAN.to_bits() } else { value.to_bits() }
 }
 
 /// All pairs of awkward numbers, as two columns.
