@@ -2,6 +2,7 @@
 pub mod decompose;
 pub mod diagnostic;
 pub mod export;
+pub mod eval;
 pub mod expr;
 pub mod limits;
 pub mod numeric;

@@ -1,5 +1,9 @@
-//! The integration tests, one binary.
+//! The tests that see the library as its users do: one binary, so that it is linked once.
+
+// An index out of range fails the test, as it should.
+#![allow(clippy::indexing_slicing)]
 
 mod analytic;
+mod evaluators;
 mod exports;
 mod meshes;
