@@ -128,6 +128,3 @@ fn placed(finding: Diagnostic, origin: Option<Span>) -> Diagnostic {
         _ => finding,
     }
 }
-
-#[cfg(test)]
-mod tests;

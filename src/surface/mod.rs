@@ -2,6 +2,12 @@
 //!
 //! Judges ([`verify`](crate::verify)) and tessellators see only [`Surface`], never how one was made.
 
+mod basis;
+mod separable;
+
+pub use basis::Basis;
+pub use separable::{Coefficients, SeparableSurface};
+
 use crate::diagnostic::Diagnostic;
 use crate::expr::Derivative;
 

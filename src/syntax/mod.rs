@@ -74,6 +74,3 @@ fn values(prepared: &Prepared, span: Span, tree: &mut Tree) -> Result<Vec<Expres
     let mut builder = Builder { tree, brackets: &mut brackets, offset: span.start };
     builder.values(pair)
 }
-
-#[cfg(test)]
-mod tests;

@@ -1,0 +1,143 @@
+//! Solution methods: each turns a [`Decomposition`] and settings into a [`Solver`], and a solver turns numbers
+//! into a [`Solution`].
+//!
+//! Every method is a folder here and a line in [`METHODS`]; `--help`, the documentation's table and the
+//! conformance tests list them from there. A method says why it does not accept a problem. It never measures
+//! its own solution: [`verify`](crate::verify) does.
+
+mod settings;
+mod sine;
+
+pub use settings::{Settings, Size};
+
+use std::sync::Arc;
+
+use crate::decompose::Decomposition;
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
+use crate::eval::Backend;
+use crate::limits::Limits;
+use crate::surface::SeparableSurface;
+
+/// A way to solve a patch.
+pub trait Method: Sync {
+    /// The name in specs and options.
+    fn name(&self) -> &'static str;
+
+    /// What it does, in one line.
+    fn description(&self) -> &'static str;
+
+    /// Whether it can treat the problem.
+    ///
+    /// # Errors
+    /// [`Code::UnsupportedByMethod`] with the reason.
+    fn accepts(&self, decomposition: &Decomposition) -> Result<(), Diagnostic>;
+
+    /// Compiles everything that does not depend on numbers.
+    ///
+    /// # Errors
+    /// A setting out of range, or a system beyond its limit.
+    fn prepare(&self, decomposition: &Decomposition, options: &Options) -> Result<Box<dyn Solver>, Diagnostic>;
+}
+
+/// A compiled problem, ready to be solved for any parameters at any instant.
+pub trait Solver: Send + Sync {
+    /// Solves at instant `t`.
+    ///
+    /// `params` holds a value for every symbol of the decomposition's graph
+    /// ([`Bindings::as_slice`](crate::problem::Bindings::as_slice)); `ranges` are the ranges of u and v.
+    ///
+    /// # Errors
+    /// Data that are not finite, or a system without a reliable solution.
+    fn solve(&self, params: &[f64], ranges: [[f64; 2]; 2], t: f64) -> Result<Solution, Diagnostic>;
+}
+
+/// A solved patch.
+pub struct Solution {
+    /// The surface.
+    pub surface: Arc<SeparableSurface>,
+    /// How it was found.
+    pub report: Report,
+}
+
+/// What a method knows about its own solution.
+#[derive(Debug, Clone)]
+pub struct Report {
+    /// The method's name.
+    pub method: &'static str,
+    /// Whether the equation is solved exactly, up to rounding.
+    pub is_exact: bool,
+    /// The number of basis functions.
+    pub basis_size: usize,
+    /// The number of fitted functions of u.
+    pub modes: usize,
+    /// The largest condition of the systems solved.
+    pub condition: f64,
+    /// The sum of the ranks of the systems solved.
+    pub rank: usize,
+    /// The sum of their unknowns; equal to the rank unless something was left undetermined.
+    pub unknowns: usize,
+    /// What the user should know.
+    pub warnings: Diagnostics,
+}
+
+/// What a preparation is given besides the problem.
+#[derive(Debug, Clone, Default)]
+pub struct Options {
+    /// The method's settings.
+    pub settings: Settings,
+    /// How programs run.
+    pub backend: Backend,
+    /// Bounds.
+    pub limits: Limits,
+}
+
+/// Every method, in the order in which `auto` tries them.
+pub const METHODS: &[&dyn Method] = &[&sine::SineSeries];
+
+/// The name that leaves the choice to the program.
+pub const AUTO: &str = "auto";
+
+/// The method called `name`; `auto`, or no name, is the first in [`METHODS`] that accepts the problem.
+///
+/// # Errors
+/// [`Code::UnknownSetting`] for a name that no method has, [`Code::UnsupportedByMethod`] with every reason when
+/// none accepts the problem.
+pub fn choose(
+    name: Option<&str>,
+    origin: Option<Span>,
+    decomposition: &Decomposition,
+) -> Result<&'static dyn Method, Diagnostic> {
+    let placed = |finding: Diagnostic| match origin {
+        Some(span) => finding.at(span),
+        None => finding,
+    };
+    match name {
+        Some(name) if name != AUTO => {
+            let Some(method) = METHODS.iter().find(|method| method.name() == name) else {
+                let known: Vec<&str> =
+                    std::iter::once(AUTO).chain(METHODS.iter().map(|method| method.name())).collect();
+                let finding = Diagnostic::new(Code::UnknownSetting, format!("there is no method `{name}`"));
+                return Err(placed(finding).hint(format!("methods: {}", known.join(", "))));
+            };
+            method
+                .accepts(decomposition)
+                .map_err(|finding| if finding.span.is_none() { placed(finding) } else { finding })?;
+            Ok(*method)
+        }
+        _ => {
+            let mut reasons = Vec::new();
+            for method in METHODS {
+                match method.accepts(decomposition) {
+                    Ok(()) => return Ok(*method),
+                    Err(reason) => reasons.push((method.name(), reason)),
+                }
+            }
+            let mut finding = Diagnostic::new(Code::UnsupportedByMethod, "no method can treat this problem");
+            finding.span = reasons.iter().find_map(|(_, reason)| reason.span).or(origin);
+            for (name, reason) in reasons {
+                finding = finding.hint(format!("{name}: {}", reason.message));
+            }
+            Err(finding)
+        }
+    }
+}

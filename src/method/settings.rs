@@ -1,0 +1,93 @@
+//! Settings of methods: from a `solve` statement, an option, or Rust.
+
+use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::numeric::NodeKind;
+use crate::problem::RequestedSetting;
+
+/// Settings a user may give; methods have defaults for what is not given.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Settings {
+    /// The number of trial functions.
+    pub terms: Option<(usize, Option<Span>)>,
+    /// The collocation grid.
+    pub points: Option<(Size, Option<Span>)>,
+}
+
+/// A collocation grid: counts in u and v, and where the nodes lie.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Size {
+    /// Nodes in u.
+    pub u: usize,
+    /// Nodes in v.
+    pub v: usize,
+    /// Where they lie.
+    pub kind: NodeKind,
+}
+
+impl Settings {
+    /// Reads the settings of a `solve` statement; later ones with the same key are an error.
+    ///
+    /// # Errors
+    /// [`Code::UnknownSetting`] for an unknown key or a value of the wrong form, [`Code::DuplicateStatement`] for
+    /// a key given twice.
+    pub fn read(requested: &[RequestedSetting]) -> Result<Settings, Diagnostic> {
+        let mut settings = Settings::default();
+        for (index, setting) in requested.iter().enumerate() {
+            if requested.iter().take(index).any(|earlier| earlier.key == setting.key) {
+                let message = format!("the setting `{}` is given twice", setting.key);
+                return Err(placed(Diagnostic::new(Code::DuplicateStatement, message), setting.origin));
+            }
+            settings.set(&setting.key, &setting.value, setting.origin)?;
+        }
+        Ok(settings)
+    }
+
+    /// Sets one setting from text, for example `points` from `11x11:ends`.
+    ///
+    /// # Errors
+    /// [`Code::UnknownSetting`].
+    pub fn set(&mut self, key: &str, value: &str, origin: Option<Span>) -> Result<(), Diagnostic> {
+        match key {
+            "terms" => self.terms = Some((read_count(value).map_err(|finding| placed(finding, origin))?, origin)),
+            "points" => self.points = Some((read_size(value).map_err(|finding| placed(finding, origin))?, origin)),
+            _ => {
+                let finding = Diagnostic::new(Code::UnknownSetting, format!("there is no setting `{key}`"));
+                return Err(
+                    placed(finding, origin).hint("settings: terms = K, points = L x M [: midpoints | ends | gauss]")
+                );
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Reads `11x11`, `11x11:ends`.
+pub fn read_size(text: &str) -> Result<Size, Diagnostic> {
+    let wrong = || {
+        Diagnostic::new(Code::UnknownSetting, format!("`{text}` is not a grid"))
+            .hint("write `11 x 11`, or `11 x 11 : ends`; the kinds are midpoints, ends and gauss")
+    };
+    let (counts, kind) = match text.split_once(':') {
+        Some((counts, kind)) => {
+            let known = NodeKind::NAMED.iter().find(|(name, _)| *name == kind);
+            (counts, known.map(|(_, kind)| *kind).ok_or_else(wrong)?)
+        }
+        None => (text, NodeKind::default()),
+    };
+    let (u, v) = counts.split_once('x').ok_or_else(wrong)?;
+    let count = |text: &str| text.trim().parse::<usize>().map_err(|_| wrong());
+    Ok(Size { u: count(u)?, v: count(v)?, kind })
+}
+
+fn read_count(text: &str) -> Result<usize, Diagnostic> {
+    text.parse().map_err(|_| {
+        Diagnostic::new(Code::UnknownSetting, format!("`{text}` is not a number of terms")).hint("write a whole number")
+    })
+}
+
+fn placed(finding: Diagnostic, origin: Option<Span>) -> Diagnostic {
+    match origin {
+        Some(span) => finding.at(span),
+        None => finding,
+    }
+}

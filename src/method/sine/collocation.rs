@@ -1,0 +1,113 @@
+//! The least-squares problem of one basis function, reduced exactly from L·M rows to a few L.
+//!
+//! At the collocation points the residual is `Σ_p a_p(v_m) G^(p)(u_l)`. With the a_p as columns of an M x P
+//! matrix A = Q R, the sum of its squares over all m is that of `Σ_p R_ip G^(p)(u_l)` over the rows i of R:
+//! M rows become at most P, exactly (docs/methods.md, S2).
+//!
+//! The fitted P_k depend on t through A. Their derivatives follow from those of the normal equations
+//! `Φᵀ(Φ x + b) = 0`, differentiated term by term (S3); only the gradient of the residual goes through ΦᵀΦ.
+
+use nalgebra::DMatrix;
+
+use crate::numeric::{LeastSquares, LeastSquaresError};
+use crate::trial::CorrectedTrial;
+
+/// The functions of u at the collocation nodes.
+pub struct Collocation {
+    /// For each order in u that occurs: rows are nodes, columns the cardinal functions.
+    cardinal: Vec<DMatrix<f64>>,
+    /// The same for the corrected trial functions.
+    trial: Vec<DMatrix<f64>>,
+}
+
+/// A fit and its derivatives in t.
+pub struct Fit {
+    /// Coefficients P_k, one column per right-hand side, then their derivatives in t.
+    pub derivatives: Vec<DMatrix<f64>>,
+    /// Condition of the collocation matrix.
+    pub condition: f64,
+    /// Its rank.
+    pub rank: usize,
+}
+
+impl Collocation {
+    /// The values of `modes` at the nodes `u`, for the derivatives of the given orders.
+    pub fn new(modes: &CorrectedTrial, orders_in_u: &[usize], u: &[f64]) -> Collocation {
+        let count = modes.cardinal_count();
+        let (mut cardinal, mut trial) = (Vec::new(), Vec::new());
+        for &order in orders_in_u {
+            let rows: Vec<f64> = u.iter().flat_map(|&u| modes.derivatives(order, u)).collect();
+            let all = DMatrix::from_row_slice(u.len(), modes.len(), &rows);
+            cardinal.push(all.columns(0, count).into_owned());
+            trial.push(all.columns(count, modes.len() - count).into_owned());
+        }
+        Collocation { cardinal, trial }
+    }
+
+    /// Fits the trial functions to the boundary coefficients `stated` (a row per condition, any columns).
+    ///
+    /// `symbols` holds the a_p at `nodes` nodes: first all p, then all p of the first derivative in t, and so on.
+    pub fn fit(&self, symbols: &[f64], nodes: usize, stated: &DMatrix<f64>) -> Result<Fit, LeastSquaresError> {
+        let orders = self.cardinal.len();
+        let columns = symbols.len() / nodes.max(1);
+        let in_time = columns / orders.max(1);
+        let terms = self.trial.first().map_or(0, DMatrix::ncols);
+        let zeros = || DMatrix::zeros(terms, stated.ncols());
+        // Without boundary data, or where the equation holds whatever G is, no terms are needed.
+        let holds_anyway = symbols.iter().take(orders * nodes).all(|value| *value == 0.0);
+        if holds_anyway || stated.iter().all(|value| *value == 0.0) {
+            return Ok(Fit { derivatives: (0..in_time).map(|_| zeros()).collect(), condition: 1.0, rank: terms });
+        }
+        let reduced = DMatrix::from_column_slice(nodes, columns, symbols).qr().r();
+        let (mut systems, mut rights) = (Vec::new(), Vec::new());
+        for s in 0..in_time {
+            let part = reduced.columns(s * orders, orders).into_owned();
+            systems.push(combine(&part, &self.trial));
+            rights.push(combine(&part, &self.cardinal) * stated);
+        }
+        let solver = LeastSquares::new(systems.first().unwrap_or(&DMatrix::zeros(0, 0)))?;
+        let derivatives = differentiate(&solver, &systems, &rights);
+        Ok(Fit { derivatives, condition: solver.condition(), rank: solver.rank() })
+    }
+}
+
+/// Row block i is `Σ_p part_ip * values_p`.
+fn combine(part: &DMatrix<f64>, values: &[DMatrix<f64>]) -> DMatrix<f64> {
+    let (rows, columns) = values.first().map_or((0, 0), DMatrix::shape);
+    let mut combined = DMatrix::zeros(part.nrows() * rows, columns);
+    for (block, weights) in part.row_iter().enumerate() {
+        let mut target = combined.rows_mut(block * rows, rows);
+        for (weight, values) in weights.iter().zip(values) {
+            target += values * *weight;
+        }
+    }
+    combined
+}
+
+/// x and its derivatives from `Φᵀ r = 0`, `r = Φ x + b`, with Φ and b and their derivatives given.
+fn differentiate(solver: &LeastSquares, systems: &[DMatrix<f64>], rights: &[DMatrix<f64>]) -> Vec<DMatrix<f64>> {
+    let (mut solutions, mut residuals): (Vec<DMatrix<f64>>, Vec<DMatrix<f64>>) = (Vec::new(), Vec::new());
+    for (n, right) in rights.iter().enumerate() {
+        let mut known = right.clone();
+        let mut gradient: Option<DMatrix<f64>> = None;
+        let mut binomial = 1.0;
+        let earlier = solutions.iter().zip(&residuals).zip(systems.iter().take(n + 1).rev());
+        for (i, ((solution, residual), system)) in earlier.enumerate() {
+            known += system * solution * binomial;
+            let part = system.transpose() * residual * binomial;
+            gradient = Some(match gradient {
+                Some(sum) => sum + part,
+                None => part,
+            });
+            binomial = binomial * (n - i) as f64 / (i + 1) as f64;
+        }
+        let mut solution = -solver.solve(&known);
+        if let Some(gradient) = gradient {
+            solution -= solver.solve_gram(&gradient);
+        }
+        let residual = systems.first().map_or_else(|| known.clone(), |first| first * &solution + &known);
+        solutions.push(solution);
+        residuals.push(residual);
+    }
+    solutions
+}

@@ -1,0 +1,113 @@
+//! Basis functions F_j(v, t) and their derivatives as compiled programs.
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+use rustc_hash::FxHashMap;
+
+use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::eval::{Backend, Evaluator, Program, Samples, compile, first_non_finite};
+use crate::expr::{Derivative, ExprId, Graph, Notation};
+
+/// Functions of v and t that can be evaluated together with any of their derivatives.
+///
+/// A derivative is made and compiled when it is first asked for, and kept.
+pub struct Basis {
+    functions: Vec<(ExprId, Option<Span>)>,
+    names: Vec<String>,
+    compiled: Mutex<(Graph, FxHashMap<Derivative, Arc<dyn Evaluator>>)>,
+    backend: Backend,
+}
+
+/// Longer functions are cut in messages.
+const NAME_BYTES: usize = 80;
+
+impl Basis {
+    /// The `functions` of `graph`, each with the place it comes from.
+    #[must_use]
+    pub fn new(graph: Graph, functions: Vec<(ExprId, Option<Span>)>, backend: Backend) -> Basis {
+        let name = |(expr, _): &(ExprId, Option<Span>)| {
+            graph.text(*expr, Notation::Ascii, NAME_BYTES).unwrap_or_else(|_| "a long expression".to_owned())
+        };
+        let names = functions.iter().map(name).collect();
+        Basis { functions, names, compiled: Mutex::new((graph, FxHashMap::default())), backend }
+    }
+
+    /// The number of functions.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.functions.len()
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.functions.is_empty()
+    }
+
+    /// A derivative of every function at every sample `(v, t)`, row after row: function j at sample i is
+    /// `values[j * v.len() + i]`. `derivative.u` is ignored.
+    ///
+    /// # Errors
+    /// [`Code::NotDifferentiable`] for a derivative that does not exist, [`Code::DataNotFinite`] for the first
+    /// value that is not finite; both name the function.
+    pub fn values(&self, derivative: Derivative, params: &[f64], v: &[f64], t: &[f64]) -> Result<Vec<f64>, Diagnostic> {
+        let evaluator = self.evaluator(Derivative { u: 0, ..derivative })?;
+        let mut values = vec![0.0; self.len() * v.len()];
+        // The functions do not depend on u; any slice of the right length will do.
+        evaluator
+            .evaluate(params, Samples { u: v, v, t }, &mut values)
+            .map_err(|error| Diagnostic::new(Code::SolutionNotFinite, error.to_string()))?;
+        match first_non_finite(&values, v.len()) {
+            None => Ok(values),
+            Some((function, sample, value)) => {
+                Err(self.not_finite(derivative, function, value, (v.get(sample), t.get(sample))))
+            }
+        }
+    }
+
+    fn evaluator(&self, derivative: Derivative) -> Result<Arc<dyn Evaluator>, Diagnostic> {
+        // A panic elsewhere cannot leave the graph inconsistent: it only ever grows.
+        let mut guard = self.compiled.lock().unwrap_or_else(PoisonError::into_inner);
+        let (graph, compiled) = &mut *guard;
+        if let Some(evaluator) = compiled.get(&derivative) {
+            return Ok(Arc::clone(evaluator));
+        }
+        let mut outputs = Vec::with_capacity(self.functions.len());
+        for ((expr, origin), name) in self.functions.iter().zip(&self.names) {
+            outputs.push(graph.derivative(*expr, derivative).map_err(|fault| {
+                let function = fault.function.row().name;
+                let message =
+                    format!("`{function}` in `{name}` has no derivative, and its derivative `{derivative}` is needed");
+                placed(Diagnostic::new(Code::NotDifferentiable, message), *origin)
+            })?);
+        }
+        let (evaluator, _) = compile(Program::compile(graph, &outputs), self.backend);
+        compiled.insert(derivative, Arc::clone(&evaluator));
+        Ok(evaluator)
+    }
+
+    fn not_finite(
+        &self,
+        derivative: Derivative,
+        function: usize,
+        value: f64,
+        (v, t): (Option<&f64>, Option<&f64>),
+    ) -> Diagnostic {
+        let name = self.names.get(function).map_or("?", String::as_str);
+        let origin = self.functions.get(function).and_then(|(_, origin)| *origin);
+        let of =
+            if derivative == Derivative::NONE { String::new() } else { format!("the derivative `{derivative}` of ") };
+        let at = |at: Option<&f64>| at.copied().unwrap_or(f64::NAN);
+        let message =
+            format!("{of}`{name}` (basis function F{}) is {value} at v = {}, t = {}", function + 1, at(v), at(t));
+        placed(Diagnostic::new(Code::DataNotFinite, message), origin)
+            .hint("boundary data must be finite on the whole domain; change the function or the domain")
+    }
+}
+
+fn placed(finding: Diagnostic, origin: Option<Span>) -> Diagnostic {
+    match origin {
+        Some(span) => finding.at(span),
+        None => finding,
+    }
+}

@@ -1,0 +1,124 @@
+//! Surfaces `S(u, v, t) = Σ_j F_j(v, t) Σ_m φ_m(u) C_mj(t)`, the form of every solution over a finite basis.
+
+use std::sync::Arc;
+
+use super::{Basis, Surface};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::expr::Derivative;
+use crate::trial::CorrectedTrial;
+
+/// Vector coefficients, mode after mode: that of mode m and basis function j is at `m * basis.len() + j`.
+pub type Coefficients = Vec<[f64; 3]>;
+
+/// A surface over modes φ_m(u) and a basis F_j(v, t).
+pub struct SeparableSurface {
+    /// The modes φ_m: cardinal functions, then corrected trial functions.
+    pub modes: Arc<CorrectedTrial>,
+    /// The basis F_j.
+    pub basis: Arc<Basis>,
+    /// Values of the parameters.
+    pub params: Vec<f64>,
+    /// The coefficients C, then their derivatives in time, as far as they are known; all further ones are zero
+    /// if the coefficients hold for every t.
+    pub coefficients: Vec<Coefficients>,
+    /// The only instant at which the coefficients hold; `None` if they hold for every t.
+    pub instant: Option<f64>,
+}
+
+impl SeparableSurface {
+    /// The coefficients' derivatives that a derivative of order `order` in t needs, with their binomial factors
+    /// and the order that is left for the basis.
+    fn time_terms(&self, order: usize) -> Result<Vec<(&Coefficients, f64, usize)>, Diagnostic> {
+        let mut terms = Vec::new();
+        let mut binomial = 1.0;
+        for s in 0..=order {
+            match self.coefficients.get(s) {
+                Some(coefficients) => terms.push((coefficients, binomial, order - s)),
+                None if self.instant.is_none() => {}
+                None => {
+                    let message = format!("the derivative of order {order} in t is not known for this solution");
+                    return Err(Diagnostic::new(Code::UnsupportedByMethod, message)
+                        .hint("the method solves at single instants; ask for derivatives the equation contains"));
+                }
+            }
+            binomial = binomial * (order - s) as f64 / (s + 1) as f64;
+        }
+        Ok(terms)
+    }
+
+    fn check_instant(&self, t: f64) -> Result<(), Diagnostic> {
+        match self.instant {
+            Some(instant) if instant != t => {
+                let message = format!("this solution holds at t = {instant}, not at t = {t}");
+                Err(Diagnostic::new(Code::UnsupportedByMethod, message).hint("solve at that instant"))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// `G_j(u) = Σ_m φ_m(u) C_mj` for every j, from the values of the modes.
+    fn amplitudes(&self, modes: &[f64], coefficients: &Coefficients) -> Vec<[f64; 3]> {
+        let mut sum = vec![[0.0; 3]; self.basis.len()];
+        for (mode, row) in modes.iter().zip(coefficients.chunks(self.basis.len().max(1))) {
+            for (total, coefficient) in sum.iter_mut().zip(row) {
+                add_scaled(total, *mode, coefficient);
+            }
+        }
+        sum
+    }
+}
+
+impl Surface for SeparableSurface {
+    fn evaluate(&self, derivative: Derivative, points: &[[f64; 3]], values: &mut [[f64; 3]]) -> Result<(), Diagnostic> {
+        points.iter().try_for_each(|[_, _, t]| self.check_instant(*t))?;
+        let v: Vec<f64> = points.iter().map(|[_, v, _]| *v).collect();
+        let t: Vec<f64> = points.iter().map(|[_, _, t]| *t).collect();
+        values.fill([0.0; 3]);
+        for (coefficients, factor, order) in self.time_terms(derivative.t)? {
+            let basis = self.basis.values(Derivative { t: order, ..derivative }, &self.params, &v, &t)?;
+            for (index, ([u, ..], value)) in points.iter().zip(values.iter_mut()).enumerate() {
+                let amplitudes = self.amplitudes(&self.modes.derivatives(derivative.u, *u), coefficients);
+                for (amplitude, row) in amplitudes.iter().zip(basis.chunks(points.len().max(1))) {
+                    add_scaled(value, factor * row.get(index).copied().unwrap_or(f64::NAN), amplitude);
+                }
+            }
+        }
+        finite(values)
+    }
+
+    fn evaluate_grid(
+        &self,
+        derivative: Derivative,
+        (u, v, t): (&[f64], &[f64], f64),
+        values: &mut [[f64; 3]],
+    ) -> Result<(), Diagnostic> {
+        self.check_instant(t)?;
+        let t = vec![t; v.len()];
+        values.fill([0.0; 3]);
+        for (coefficients, factor, order) in self.time_terms(derivative.t)? {
+            let basis = self.basis.values(Derivative { t: order, ..derivative }, &self.params, v, &t)?;
+            for (u, row) in u.iter().zip(values.chunks_mut(v.len().max(1))) {
+                let amplitudes = self.amplitudes(&self.modes.derivatives(derivative.u, *u), coefficients);
+                for (amplitude, function) in amplitudes.iter().zip(basis.chunks(v.len().max(1))) {
+                    for (value, basis) in row.iter_mut().zip(function) {
+                        add_scaled(value, factor * basis, amplitude);
+                    }
+                }
+            }
+        }
+        finite(values)
+    }
+}
+
+fn add_scaled(total: &mut [f64; 3], factor: f64, vector: &[f64; 3]) {
+    for (sum, component) in total.iter_mut().zip(vector) {
+        *sum += factor * component;
+    }
+}
+
+fn finite(values: &[[f64; 3]]) -> Result<(), Diagnostic> {
+    if values.iter().flatten().all(|value| value.is_finite()) {
+        return Ok(());
+    }
+    Err(Diagnostic::new(Code::SolutionNotFinite, "the surface is not finite: its values overflow"))
+}

@@ -1,0 +1,176 @@
+//! Judges any surface against its problem: boundary error and residual of the equation.
+//!
+//! Input: a problem and a [`Surface`]; output: a [`Verification`]. The boundary data and the coefficients of
+//! the equation are evaluated here, from the problem's own expressions, by the interpreter, on a grid of the
+//! verifier's own. Nothing here knows how the surface was made: a method cannot grade itself.
+
+use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::eval::{Backend, Program, Samples, compile};
+use crate::expr::{Derivative, ExprId, Graph};
+use crate::numeric::{NodeKind, nodes};
+use crate::problem::{Bindings, DomainValues, Patch, Problem};
+use crate::surface::Surface;
+
+/// What was measured.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Verification {
+    /// The largest deviation from each boundary condition, in order.
+    pub boundary_errors: Vec<f64>,
+    /// The largest residual of the equation, in any component.
+    pub residual: f64,
+    /// The largest single term of the equation, in any component: what the residual is to be compared with.
+    pub largest_term: f64,
+    /// The largest coordinate of S on the grid.
+    pub size: f64,
+}
+
+impl Verification {
+    /// The largest deviation from any boundary condition.
+    #[must_use]
+    pub fn boundary_error(&self) -> f64 {
+        self.boundary_errors.iter().fold(0.0, |most, error| most.max(*error))
+    }
+
+    /// The residual over the largest single term of the equation; zero when all terms are zero.
+    #[must_use]
+    pub fn relative_residual(&self) -> f64 {
+        if self.largest_term > 0.0 { self.residual / self.largest_term } else { 0.0 }
+    }
+
+    /// The worse of two measurements of one patch, for example at two instants.
+    #[must_use]
+    pub fn worst(self, other: &Verification) -> Verification {
+        let errors = self.boundary_errors.iter().zip(&other.boundary_errors);
+        Verification {
+            boundary_errors: errors.map(|(a, b)| a.max(*b)).collect(),
+            residual: self.residual.max(other.residual),
+            largest_term: self.largest_term.max(other.largest_term),
+            size: self.size.max(other.size),
+        }
+    }
+}
+
+/// Nodes in u and in v: counts that share no factor with the usual collocation grids.
+const GRID: [usize; 2] = [23, 37];
+
+/// Measures `surface` as a solution of `patch` at instant `t`.
+///
+/// The residual is taken inside the domain and on its border, 23 x 37 points.
+///
+/// # Errors
+/// [`Code::DataNotFinite`] when the boundary data are not finite somewhere on the grid, whatever the surface
+/// says when it cannot be evaluated.
+pub fn verify(
+    problem: &Problem,
+    patch: &Patch,
+    surface: &dyn Surface,
+    (bindings, domain, t): (&Bindings, &DomainValues, f64),
+) -> Result<Verification, Diagnostic> {
+    let v = with_ends(GRID[1], domain.v);
+    let mut boundary_errors = Vec::with_capacity(patch.conditions.len());
+    for condition in &patch.conditions {
+        let u = bindings.constant(problem, condition.u, None, "the position of a boundary")?;
+        let stated = evaluate(&problem.graph, &condition.value, bindings, &[u], &v, t)?;
+        if let Some(at) = stated.iter().position(|value| !value.is_finite()) {
+            return Err(not_finite(
+                stated.get(at).copied(),
+                condition.origins.get(at / v.len()).copied().flatten(),
+                v.get(at % v.len()),
+                t,
+            ));
+        }
+        let mut found = vec![[0.0; 3]; v.len()];
+        surface.evaluate_grid(Derivative::new(condition.order, 0, 0), (&[u], &v, t), &mut found)?;
+        let mut error = 0.0_f64;
+        for (component, expected) in stated.chunks(v.len()).enumerate() {
+            for (found, expected) in found.iter().zip(expected) {
+                error = error.max((found.get(component).copied().unwrap_or(f64::NAN) - expected).abs());
+            }
+        }
+        boundary_errors.push(error);
+    }
+    let u = with_ends(GRID[0], domain.u);
+    let (residual, largest_term) = residual(problem, patch, surface, bindings, &u, &v, t)?;
+    let mut positions = vec![[0.0; 3]; u.len() * v.len()];
+    surface.evaluate_grid(Derivative::NONE, (&u, &v, t), &mut positions)?;
+    let size = positions.iter().flatten().fold(0.0_f64, |most, value| most.max(value.abs()));
+    Ok(Verification { boundary_errors, residual, largest_term, size })
+}
+
+/// Gauss nodes, which no collocation grid with rational spacing shares, and both ends.
+fn with_ends(count: usize, range: [f64; 2]) -> Vec<f64> {
+    let mut all = vec![range[0]];
+    all.extend(nodes(NodeKind::Gauss, count - 2, range));
+    all.push(range[1]);
+    all
+}
+
+/// The largest residual and the largest single term on the grid, over all components.
+fn residual(
+    problem: &Problem,
+    patch: &Patch,
+    surface: &dyn Surface,
+    bindings: &Bindings,
+    u: &[f64],
+    v: &[f64],
+    t: f64,
+) -> Result<(f64, f64), Diagnostic> {
+    let points = u.len() * v.len();
+    // The force stands on the right of the equation.
+    let mut sums: Vec<f64> =
+        evaluate(&problem.graph, &patch.operator.force, bindings, u, v, t)?.iter().map(|q| -q).collect();
+    let mut largest = sums.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+    let mut values = vec![[0.0; 3]; points];
+    for term in &patch.operator.terms {
+        surface.evaluate_grid(term.derivative, (u, v, t), &mut values)?;
+        let factors = evaluate(&problem.graph, &term.coefficient, bindings, u, v, t)?;
+        for (component, (sums, factors)) in sums.chunks_mut(points).zip(factors.chunks(points)).enumerate() {
+            for ((sum, factor), value) in sums.iter_mut().zip(factors).zip(&values) {
+                let product = factor * value.get(component).copied().unwrap_or(f64::NAN);
+                largest = largest.max(product.abs());
+                *sum += product;
+            }
+        }
+    }
+    let residual =
+        sums.iter().fold(0.0_f64, |most, value| if value.is_nan() { f64::INFINITY } else { most.max(value.abs()) });
+    if !residual.is_finite() {
+        let finding =
+            Diagnostic::new(Code::SolutionNotFinite, "the residual of the equation is not finite on the domain")
+                .hint("a coefficient or the force has a pole, or the solution overflows");
+        return Err(match patch.operator.origin {
+            Some(span) => finding.at(span),
+            None => finding,
+        });
+    }
+    Ok((residual, largest))
+}
+
+/// The value of three expressions on the grid, component after component, u-major.
+fn evaluate(
+    graph: &Graph,
+    expressions: &[ExprId; 3],
+    bindings: &Bindings,
+    u: &[f64],
+    v: &[f64],
+    t: f64,
+) -> Result<Vec<f64>, Diagnostic> {
+    let us: Vec<f64> = u.iter().flat_map(|&u| v.iter().map(move |_| u)).collect();
+    let vs: Vec<f64> = u.iter().flat_map(|_| v.iter().copied()).collect();
+    let ts = vec![t; us.len()];
+    let (evaluator, _) = compile(Program::compile(graph, expressions), Backend::Interpreter);
+    let mut values = vec![0.0; 3 * us.len()];
+    evaluator
+        .evaluate(bindings.as_slice(), Samples { u: &us, v: &vs, t: &ts }, &mut values)
+        .map_err(|error| Diagnostic::new(Code::SolutionNotFinite, error.to_string()))?;
+    Ok(values)
+}
+
+fn not_finite(value: Option<f64>, origin: Option<Span>, v: Option<&f64>, t: f64) -> Diagnostic {
+    let (value, v) = (value.unwrap_or(f64::NAN), v.copied().unwrap_or(f64::NAN));
+    let finding = Diagnostic::new(Code::DataNotFinite, format!("the boundary data are {value} at v = {v}, t = {t}"));
+    match origin {
+        Some(span) => finding.at(span),
+        None => finding,
+    }
+}
