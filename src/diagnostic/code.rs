@@ -104,6 +104,8 @@ codes! {
     MissingEquationTerm = "E0217", Error, Source, "The equation has no derivative in u.";
     NotDifferentiable = "E0301", Error, Source, "A derivative is needed of a function that has none.";
     DataNotFinite = "E0302", Error, Source, "Boundary data are not finite inside the domain.";
+    PointOutsideDomain = "E0303", Error, Source, "A point or an instant lies outside the domain.";
+    BadPoints = "E0304", Error, Source, "A table of points cannot be read.";
     SettingOutOfRange = "E0401", Error, Source, "A setting has a value outside its range.";
     UnsupportedByMethod = "E0402", Error, Unsupported, "The chosen method cannot treat this problem.";
     VanishesOnGrid = "E0403", Error, Numerical, "A basis function is zero on every collocation point.";

@@ -24,6 +24,29 @@ pub struct Size {
     pub kind: NodeKind,
 }
 
+impl Size {
+    /// Reads `11x11` or `11x11:ends`.
+    ///
+    /// # Errors
+    /// [`Code::UnknownSetting`] for text of another form.
+    pub fn read(text: &str) -> Result<Size, Diagnostic> {
+        let wrong = || {
+            Diagnostic::new(Code::UnknownSetting, format!("`{text}` is not a grid"))
+                .hint("write `11 x 11`, or `11 x 11 : ends`; the kinds are midpoints, ends and gauss")
+        };
+        let (counts, kind) = match text.split_once(':') {
+            Some((counts, kind)) => {
+                let known = NodeKind::NAMED.iter().find(|(name, _)| *name == kind);
+                (counts, known.map(|(_, kind)| *kind).ok_or_else(wrong)?)
+            }
+            None => (text, NodeKind::default()),
+        };
+        let (u, v) = counts.split_once('x').ok_or_else(wrong)?;
+        let count = |text: &str| text.trim().parse::<usize>().map_err(|_| wrong());
+        Ok(Size { u: count(u)?, v: count(v)?, kind })
+    }
+}
+
 impl Settings {
     /// Reads the settings of a `solve` statement; later ones with the same key are an error.
     ///
@@ -49,7 +72,7 @@ impl Settings {
     pub fn set(&mut self, key: &str, value: &str, origin: Option<Span>) -> Result<(), Diagnostic> {
         match key {
             "terms" => self.terms = Some((read_count(value).map_err(|finding| placed(finding, origin))?, origin)),
-            "points" => self.points = Some((read_size(value).map_err(|finding| placed(finding, origin))?, origin)),
+            "points" => self.points = Some((Size::read(value).map_err(|finding| placed(finding, origin))?, origin)),
             _ => {
                 let finding = Diagnostic::new(Code::UnknownSetting, format!("there is no setting `{key}`"));
                 return Err(
@@ -59,24 +82,6 @@ impl Settings {
         }
         Ok(())
     }
-}
-
-/// Reads `11x11`, `11x11:ends`.
-pub fn read_size(text: &str) -> Result<Size, Diagnostic> {
-    let wrong = || {
-        Diagnostic::new(Code::UnknownSetting, format!("`{text}` is not a grid"))
-            .hint("write `11 x 11`, or `11 x 11 : ends`; the kinds are midpoints, ends and gauss")
-    };
-    let (counts, kind) = match text.split_once(':') {
-        Some((counts, kind)) => {
-            let known = NodeKind::NAMED.iter().find(|(name, _)| *name == kind);
-            (counts, known.map(|(_, kind)| *kind).ok_or_else(wrong)?)
-        }
-        None => (text, NodeKind::default()),
-    };
-    let (u, v) = counts.split_once('x').ok_or_else(wrong)?;
-    let count = |text: &str| text.trim().parse::<usize>().map_err(|_| wrong());
-    Ok(Size { u: count(u)?, v: count(v)?, kind })
 }
 
 fn read_count(text: &str) -> Result<usize, Diagnostic> {

@@ -14,8 +14,14 @@ use crate::expr::{Derivative, ExprId, Graph, Notation};
 pub struct Basis {
     functions: Vec<(ExprId, Option<Span>)>,
     names: Vec<String>,
-    compiled: Mutex<(Graph, FxHashMap<Derivative, Arc<dyn Evaluator>>)>,
+    compiled: Mutex<Compiled>,
     backend: Backend,
+}
+
+/// What grows when a new derivative is asked for.
+struct Compiled {
+    graph: Graph,
+    evaluators: FxHashMap<Derivative, Arc<dyn Evaluator>>,
 }
 
 /// Longer functions are cut in messages.
@@ -29,7 +35,8 @@ impl Basis {
             graph.text(*expr, Notation::Ascii, NAME_BYTES).unwrap_or_else(|_| "a long expression".to_owned())
         };
         let names = functions.iter().map(name).collect();
-        Basis { functions, names, compiled: Mutex::new((graph, FxHashMap::default())), backend }
+        let compiled = Mutex::new(Compiled { graph, evaluators: FxHashMap::default() });
+        Basis { functions, names, compiled, backend }
     }
 
     /// The number of functions.
@@ -68,8 +75,8 @@ impl Basis {
     fn evaluator(&self, derivative: Derivative) -> Result<Arc<dyn Evaluator>, Diagnostic> {
         // A panic elsewhere cannot leave the graph inconsistent: it only ever grows.
         let mut guard = self.compiled.lock().unwrap_or_else(PoisonError::into_inner);
-        let (graph, compiled) = &mut *guard;
-        if let Some(evaluator) = compiled.get(&derivative) {
+        let Compiled { graph, evaluators } = &mut *guard;
+        if let Some(evaluator) = evaluators.get(&derivative) {
             return Ok(Arc::clone(evaluator));
         }
         let mut outputs = Vec::with_capacity(self.functions.len());
@@ -82,7 +89,7 @@ impl Basis {
             })?);
         }
         let (evaluator, _) = compile(Program::compile(graph, &outputs), self.backend);
-        compiled.insert(derivative, Arc::clone(&evaluator));
+        evaluators.insert(derivative, Arc::clone(&evaluator));
         Ok(evaluator)
     }
 

@@ -1,1 +1,85 @@
-fn main() {}
+//! The `trimline` command: the only place with files, clocks, terminal output and exit statuses.
+//!
+//! One file per subcommand. Each computes its whole output before anything is written, so a command that fails
+//! has printed nothing to standard output and left no file.
+
+mod basis;
+mod check;
+mod eval;
+mod failure;
+mod mesh;
+mod options;
+mod output;
+mod solve;
+mod workflow;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use failure::Failure;
+use options::Terminal;
+
+/// Blend surfaces from their boundary-value problem.
+///
+/// A spec file states what a surface must be at its trimlines and the partial differential equation between
+/// them; trimline derives the basis functions, compiles and solves, and writes the surface.
+#[derive(Parser)]
+#[command(name = "trimline", version, max_term_width = 110, after_help = AFTER_HELP)]
+struct Arguments {
+    #[command(flatten)]
+    terminal: Terminal,
+
+    #[command(subcommand)]
+    command: Command,
+}
+
+const AFTER_HELP: &str = "\
+Examples:
+  trimline check blend.trim                              is the spec complete, how well is it solved?
+  trimline basis blend.trim                              the derived basis functions and coefficients
+  trimline mesh blend.trim -o blend.obj --time 0.2       the surface at one instant
+  trimline mesh blend.trim -o blend.obj --frames 11      blend.0000.obj … blend.0010.obj over the time domain
+  trimline solve blend.trim --set h1=-2 --terms 7        another parameter, another number of terms
+  printf 'u,v\\n0.5,1\\n' | trimline eval blend.trim --points -
+
+SPEC is a path, or `-` for standard input.
+
+Exit status: 0 done; 1 the spec or the data are at fault, or a check failed; 2 wrong usage;
+3 a numerical failure; 4 a limit was reached; 5 the machine failed (disk).";
+
+#[derive(Subcommand)]
+enum Command {
+    /// Reads, solves and measures: boundary error and residual of the equation.
+    Check(check::Arguments),
+    /// Prints the decomposition: basis functions, coefficient vectors, needed derivatives.
+    Basis(basis::Arguments),
+    /// Prints the solution's coefficients and its report.
+    Solve(solve::Arguments),
+    /// Evaluates the surface at given points, as CSV.
+    Eval(eval::Arguments),
+    /// Writes meshes: OBJ, PLY or STL by the file's extension.
+    Mesh(mesh::Arguments),
+}
+
+fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    let terminal = arguments.terminal;
+    let result = match arguments.command {
+        Command::Check(arguments) => check::run(&arguments, &terminal),
+        Command::Basis(arguments) => basis::run(&arguments, &terminal),
+        Command::Solve(arguments) => solve::run(&arguments, &terminal),
+        Command::Eval(arguments) => eval::run(&arguments, &terminal),
+        Command::Mesh(arguments) => mesh::run(&arguments, &terminal),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            failure.print(&terminal);
+            failure.status()
+        }
+    }
+}
+
+/// What a subcommand returns.
+type Outcome = Result<(), Failure>;

@@ -1,0 +1,108 @@
+//! `trimline basis`: the decomposition, for reading, snapshots and programs.
+
+use clap::Args;
+use serde::Serialize;
+use serde_json::{Map, Value};
+
+use trimline::decompose::Decomposition;
+use trimline::diagnostic::Diagnostic;
+use trimline::expr::{ExprId, Notation};
+use trimline::limits::Limits;
+
+use crate::Outcome;
+use crate::options::{Format, Reading, Terminal};
+use crate::output;
+use crate::workflow::Spec;
+
+#[derive(Args)]
+pub struct Arguments {
+    /// The spec file, or `-`.
+    spec: String,
+
+    #[command(flatten)]
+    reading: Reading,
+
+    /// How to print.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+}
+
+#[derive(Serialize)]
+struct Patches {
+    patches: Vec<PatchBasis>,
+}
+
+#[derive(Serialize)]
+struct PatchBasis {
+    name: String,
+    basis: Vec<Function>,
+    conditions: Vec<Condition>,
+}
+
+#[derive(Serialize)]
+struct Function {
+    name: String,
+    expr: String,
+    derivatives: Map<String, Value>,
+}
+
+#[derive(Serialize)]
+struct Condition {
+    u: String,
+    order: usize,
+    symbol: String,
+    coefficients: Vec<[String; 3]>,
+    values: Vec<[f64; 3]>,
+}
+
+pub fn run(arguments: &Arguments, _terminal: &Terminal) -> Outcome {
+    let spec = Spec::read(&arguments.spec, &arguments.reading)?;
+    let mut texts = Vec::new();
+    let mut patches = Vec::new();
+    for patch in &spec.patches {
+        let decomposition = spec.decompose(patch)?;
+        match arguments.format {
+            Format::Text => {
+                let text = decomposition.to_text(Notation::Unicode, &spec.limits);
+                texts.push(text.map_err(|finding| spec.fault(finding))?);
+            }
+            Format::Json => {
+                let basis = patch_basis(&decomposition, spec.bindings.as_slice(), &spec.limits);
+                patches.push(basis.map_err(|finding| spec.fault(finding))?);
+            }
+        }
+    }
+    match arguments.format {
+        Format::Text => output::print(&texts.join("\n")),
+        Format::Json => output::print_json(&Patches { patches }),
+    }
+}
+
+fn patch_basis(decomposition: &Decomposition, params: &[f64], limits: &Limits) -> Result<PatchBasis, Diagnostic> {
+    let text = |expr: ExprId| decomposition.text_of(expr, Notation::Ascii, limits);
+    let mut basis = Vec::new();
+    for (index, function) in decomposition.basis.iter().enumerate() {
+        let mut derivatives = Map::new();
+        for (orders, expr) in &function.derivatives {
+            derivatives.insert(orders.to_string(), Value::String(text(*expr)?));
+        }
+        basis.push(Function { name: format!("F{}", index + 1), expr: text(function.expr)?, derivatives });
+    }
+    let mut conditions = Vec::new();
+    for (index, condition) in decomposition.patch.conditions.iter().enumerate() {
+        let rows = decomposition.coefficients.get(index).into_iter().flatten();
+        let value = |expr: ExprId| decomposition.graph.value(expr, params, [f64::NAN; 3]);
+        let mut coefficients = Vec::new();
+        for [x, y, z] in rows.clone() {
+            coefficients.push([text(*x)?, text(*y)?, text(*z)?]);
+        }
+        conditions.push(Condition {
+            u: text(condition.u)?,
+            order: condition.order,
+            symbol: decomposition.symbol(index),
+            coefficients,
+            values: rows.map(|vector| vector.map(value)).collect(),
+        });
+    }
+    Ok(PatchBasis { name: decomposition.patch.name.clone(), basis, conditions })
+}

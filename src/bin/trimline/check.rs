@@ -1,0 +1,160 @@
+//! `trimline check`: reads, resolves, solves and measures.
+
+use std::fmt::Write;
+
+use clap::Args;
+use serde::Serialize;
+
+use trimline::problem::describe_condition;
+use trimline::verify::Verification;
+
+use crate::Outcome;
+use crate::failure::{Failure, print_warnings};
+use crate::options::{Collocation, Format, Solving, Terminal};
+use crate::output;
+use crate::workflow::{Prepared, Spec};
+
+#[derive(Args)]
+pub struct Arguments {
+    /// The spec files, or `-`.
+    #[arg(required = true)]
+    spec: Vec<String>,
+
+    #[command(flatten)]
+    solving: Solving,
+
+    #[command(flatten)]
+    collocation: Collocation,
+
+    /// Fail if the surface misses a prescribed position by more than this.
+    #[arg(long, value_name = "LENGTH")]
+    max_gap: Option<f64>,
+
+    /// How to print.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+}
+
+/// Instants at which a patch is measured unless the user names one.
+const INSTANTS: usize = 5;
+
+#[derive(Serialize)]
+struct Report {
+    patches: Vec<PatchReport>,
+    seams: Vec<()>,
+    passed: bool,
+}
+
+#[derive(Serialize)]
+struct PatchReport {
+    name: String,
+    method: &'static str,
+    boundaries: Vec<Boundary>,
+    joins: Vec<()>,
+    pde_residual: f64,
+    amplification: Option<f64>,
+    times: Vec<f64>,
+}
+
+#[derive(Serialize)]
+struct Boundary {
+    u: f64,
+    order: usize,
+    max_error: f64,
+}
+
+pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
+    let mut report = Report { patches: Vec::new(), seams: Vec::new(), passed: true };
+    let mut failures: Vec<Failure> = Vec::new();
+    for path in &arguments.spec {
+        match check(path, arguments, terminal) {
+            Ok(patches) => report.patches.extend(patches),
+            Err(failure) => failures.push(failure),
+        }
+    }
+    // With several specs each fault is reported; the last one decides the status.
+    if let Some(last) = failures.pop() {
+        failures.iter().for_each(|failure| failure.print(terminal));
+        return Err(last);
+    }
+    if let Some(most) = arguments.max_gap {
+        let gaps = report.patches.iter().flat_map(|patch| &patch.boundaries).filter(|boundary| boundary.order == 0);
+        report.passed = gaps.map(|boundary| boundary.max_error).all(|gap| gap <= most);
+    }
+    match arguments.format {
+        Format::Text => output::print(&text(&report))?,
+        Format::Json => output::print_json(&report)?,
+    }
+    if report.passed { Ok(()) } else { Err(Failure::NotPassed) }
+}
+
+fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Vec<PatchReport>, Failure> {
+    let spec = Spec::read(path, &arguments.solving.reading)?;
+    let mut reports = Vec::new();
+    for patch in &spec.patches {
+        let prepared = spec.prepare(patch, &arguments.solving, arguments.collocation.points.as_deref())?;
+        let times = match arguments.solving.time {
+            Some(_) => vec![prepared.instant(arguments.solving.time)?],
+            None => trimline::tessellate::instants(prepared.domain.t, INSTANTS, &spec.limits)
+                .map_err(|finding| spec.fault(finding))?,
+        };
+        let mut worst: Option<Verification> = None;
+        let mut method = "";
+        for (index, &time) in times.iter().enumerate() {
+            let solved = spec.solve(&prepared, time)?;
+            let measured = spec.verify(&prepared, &solved)?;
+            method = solved.solution.report.method;
+            if index == 0 {
+                print_warnings(&solved.solution.report.warnings, &spec.source, terminal);
+            }
+            worst = Some(match worst {
+                Some(before) => before.worst(&measured),
+                None => measured,
+            });
+        }
+        if let Some(worst) = worst {
+            reports.push(patch_report(&spec, &prepared, method, &worst, times)?);
+        }
+    }
+    Ok(reports)
+}
+
+fn patch_report(
+    spec: &Spec,
+    prepared: &Prepared,
+    method: &'static str,
+    worst: &Verification,
+    times: Vec<f64>,
+) -> Result<PatchReport, Failure> {
+    let mut boundaries = Vec::new();
+    for (condition, max_error) in prepared.patch.conditions.iter().zip(&worst.boundary_errors) {
+        let u = spec.bindings.constant(&spec.problem, condition.u, None, "the position of a boundary");
+        let u = u.map_err(|finding| spec.fault(finding))?;
+        boundaries.push(Boundary { u, order: condition.order, max_error: *max_error });
+    }
+    Ok(PatchReport {
+        name: prepared.patch.name.clone(),
+        method,
+        boundaries,
+        joins: Vec::new(),
+        pde_residual: worst.relative_residual(),
+        amplification: None,
+        times,
+    })
+}
+
+/// Writing to a string does not fail.
+fn text(report: &Report) -> String {
+    let mut text = String::new();
+    for patch in &report.patches {
+        let times: Vec<String> = patch.times.iter().map(f64::to_string).collect();
+        let _ = writeln!(text, "patch {}: method {}, at t = {}", patch.name, patch.method, times.join(", "));
+        for boundary in &patch.boundaries {
+            let what = describe_condition(None, boundary.order, boundary.u);
+            let _ = writeln!(text, "  {what:20} largest error {:.1e}", boundary.max_error);
+        }
+        let _ = writeln!(text, "  {:20} {:.1e} of the largest term", "PDE residual", patch.pde_residual);
+    }
+    let _ = writeln!(text, "{}", if report.passed { "passed" } else { "not passed" });
+    text
+}

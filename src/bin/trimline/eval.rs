@@ -1,0 +1,210 @@
+//! `trimline eval`: the surface and its derivatives at given points, CSV in and CSV out.
+
+use std::collections::BTreeMap;
+use std::io::Read;
+
+use clap::Args;
+
+use trimline::diagnostic::{Code, Diagnostic};
+use trimline::expr::Derivative;
+use trimline::method::Size;
+use trimline::problem::COMPONENTS;
+use trimline::surface::Surface;
+
+use crate::Outcome;
+use crate::failure::{Failure, print_warnings};
+use crate::options::{Solving, Terminal};
+use crate::output;
+use crate::workflow::{Prepared, Spec};
+
+#[derive(Args)]
+pub struct Arguments {
+    /// The spec file, or `-`.
+    spec: String,
+
+    #[command(flatten)]
+    solving: Solving,
+
+    /// A CSV file with a header that names u, v and, if needed, t, or `-`; a value such as `11x11:ends` sets the
+    /// collocation grid instead (write `./11x11` for a file of that name).
+    #[arg(long, required = true, value_name = "FILE|LxM[:KIND]")]
+    points: Vec<String>,
+
+    /// Derivatives to add, for example `u,v,uu`.
+    #[arg(long, value_delimiter = ',', value_name = "LIST")]
+    derivatives: Vec<String>,
+
+    /// The result, instead of standard output.
+    #[arg(long, short, value_name = "FILE")]
+    output: Option<std::path::PathBuf>,
+}
+
+/// The input: its header, its rows, and the point of each row.
+struct Table {
+    header: csv::StringRecord,
+    rows: Vec<csv::StringRecord>,
+    points: Vec<[f64; 3]>,
+}
+
+pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
+    let (file, grid) = split_points(&arguments.points)?;
+    if arguments.spec == "-" && file == "-" {
+        return Err(Failure::Usage("the spec and the points cannot both come from standard input".to_owned()));
+    }
+    let spec = Spec::read(&arguments.spec, &arguments.solving.reading)?;
+    let [patch] = spec.patches.as_slice() else {
+        return Err(Failure::Usage("name the patch to evaluate with --patch".to_owned()));
+    };
+    let derivatives = read_derivatives(&arguments.derivatives, spec.limits.derivative_order)?;
+    let prepared = spec.prepare(patch, &arguments.solving, grid)?;
+    let default_time = prepared.instant(arguments.solving.time)?;
+    let table = read_table(file, default_time, &prepared, spec.limits.samples)?;
+    let values = evaluate(&spec, &prepared, &table.points, &derivatives, terminal)?;
+    let text = write_table(&table, &derivatives, &values)?;
+    match &arguments.output {
+        None => output::print(&text),
+        Some(path) => {
+            let mut files = output::Files::default();
+            let file = files.create(path)?;
+            std::io::Write::write_all(file, text.as_bytes())
+                .map_err(|error| Failure::Machine(format!("cannot write `{}`: {error}", path.display())))?;
+            files.keep()
+        }
+    }
+}
+
+/// The file of points and the collocation grid, told apart by their form.
+fn split_points(values: &[String]) -> Result<(&str, Option<&str>), Failure> {
+    let is_grid =
+        |value: &&String| "0123456789".contains(value.chars().next().unwrap_or('/')) && Size::read(value).is_ok();
+    let grids: Vec<&String> = values.iter().filter(is_grid).collect();
+    let files: Vec<&String> = values.iter().filter(|value| !is_grid(value)).collect();
+    match (files.as_slice(), grids.as_slice()) {
+        ([file], []) => Ok((file, None)),
+        ([file], [grid]) => Ok((file, Some(grid))),
+        ([], _) => Err(Failure::Usage("name the file of points: --points FILE.csv, or --points -".to_owned())),
+        _ => Err(Failure::Usage("--points takes one file and at most one collocation grid".to_owned())),
+    }
+}
+
+fn read_derivatives(names: &[String], highest: usize) -> Result<Vec<Derivative>, Failure> {
+    let read = |name: &String| match Derivative::parse(name.trim()) {
+        Some(derivative) if derivative != Derivative::NONE && derivative.largest() <= highest => Ok(derivative),
+        Some(derivative) if derivative.largest() > highest => {
+            let message = format!(
+                "a derivative of order {} is above the limit `derivative-order` of {highest}",
+                derivative.largest()
+            );
+            Err(Failure::Found { source: None, findings: vec![Diagnostic::new(Code::LimitReached, message)] })
+        }
+        _ => Err(Failure::Usage(format!("`{name}` is not a derivative: write letters u, v and t, for example uuv"))),
+    };
+    names.iter().map(read).collect()
+}
+
+fn read_table(file: &str, default_time: f64, prepared: &Prepared, allowed: usize) -> Result<Table, Failure> {
+    let shown = if file == "-" { "standard input" } else { file };
+    let unreadable = |error: &dyn std::fmt::Display| Failure::Usage(format!("cannot read `{shown}`: {error}"));
+    let input: Box<dyn Read> = if file == "-" {
+        Box::new(std::io::stdin().lock())
+    } else {
+        Box::new(std::fs::File::open(file).map_err(|error| unreadable(&error))?)
+    };
+    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(input);
+    let bad = |message: String| Failure::Found {
+        source: None,
+        findings: vec![Diagnostic::new(Code::BadPoints, format!("{shown}: {message}"))],
+    };
+    let header = reader.headers().map_err(|error| bad(error.to_string()))?.clone();
+    let column = |name: &str| -> Result<Option<usize>, Failure> {
+        let mut found = header.iter().enumerate().filter(|(_, column)| *column == name).map(|(index, _)| index);
+        match (found.next(), found.next()) {
+            (first, None) => Ok(first),
+            _ => Err(bad(format!("the column `{name}` occurs twice"))),
+        }
+    };
+    let required = |name: &str| column(name)?.ok_or_else(|| bad(format!("the header names no column `{name}`")));
+    let columns = [Some(required("u")?), Some(required("v")?), column("t")?];
+    let ranges = [prepared.domain.u, prepared.domain.v, prepared.domain.t];
+    let (mut rows, mut points) = (Vec::new(), Vec::new());
+    for record in reader.records() {
+        let record = record.map_err(|error| bad(error.to_string()))?;
+        let line = record.position().map_or(0, csv::Position::line);
+        if rows.len() >= allowed {
+            let message = format!("more points than the limit `samples` of {allowed}");
+            return Err(Failure::Found { source: None, findings: vec![Diagnostic::new(Code::LimitReached, message)] });
+        }
+        let mut point = [0.0, 0.0, default_time];
+        for (((coordinate, column), name), [low, high]) in
+            point.iter_mut().zip(columns).zip(["u", "v", "t"]).zip(ranges)
+        {
+            let Some(column) = column else { continue };
+            let text = record.get(column).unwrap_or("");
+            *coordinate =
+                text.parse().map_err(|_| bad(format!("line {line}: `{text}` in column `{name}` is not a number")))?;
+            if !(low..=high).contains(coordinate) {
+                let message = format!("{shown}: line {line}: {name} = {text} lies outside the domain [{low}, {high}]");
+                return Err(Failure::Found {
+                    source: None,
+                    findings: vec![Diagnostic::new(Code::PointOutsideDomain, message)],
+                });
+            }
+        }
+        rows.push(record);
+        points.push(point);
+    }
+    Ok(Table { header, rows, points })
+}
+
+/// Positions, then each derivative, at every point; solved once for each distinct instant.
+fn evaluate(
+    spec: &Spec,
+    prepared: &Prepared,
+    points: &[[f64; 3]],
+    derivatives: &[Derivative],
+    terminal: &Terminal,
+) -> Result<Vec<Vec<[f64; 3]>>, Failure> {
+    let wanted: Vec<Derivative> = std::iter::once(Derivative::NONE).chain(derivatives.iter().copied()).collect();
+    let mut results = vec![vec![[0.0; 3]; points.len()]; wanted.len()];
+    // Keyed by bits: equal instants are one, and the order is that of their first use.
+    let mut instants: BTreeMap<u64, Vec<usize>> = BTreeMap::new();
+    for (index, [_, _, t]) in points.iter().enumerate() {
+        instants.entry((t + 0.0).to_bits()).or_default().push(index);
+    }
+    for (number, (bits, indices)) in instants.iter().enumerate() {
+        let solved = spec.solve(prepared, f64::from_bits(*bits))?;
+        if number == 0 {
+            print_warnings(&solved.solution.report.warnings, &spec.source, terminal);
+        }
+        let here: Vec<[f64; 3]> =
+            indices.iter().filter_map(|&index| points.get(index)).map(|[u, v, t]| [*u, *v, t + 0.0]).collect();
+        let mut values = vec![[0.0; 3]; here.len()];
+        for (derivative, result) in wanted.iter().zip(&mut results) {
+            let surface = &solved.solution.surface;
+            surface.evaluate(*derivative, &here, &mut values).map_err(|finding| spec.fault(finding))?;
+            for (&index, value) in indices.iter().zip(&values) {
+                if let Some(slot) = result.get_mut(index) {
+                    *slot = *value;
+                }
+            }
+        }
+    }
+    Ok(results)
+}
+
+fn write_table(table: &Table, derivatives: &[Derivative], values: &[Vec<[f64; 3]>]) -> Result<String, Failure> {
+    let failed = |error: &dyn std::fmt::Display| Failure::Machine(format!("cannot write the table: {error}"));
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let suffixes = std::iter::once(String::new()).chain(derivatives.iter().map(|derivative| format!("_{derivative}")));
+    let names = suffixes.flat_map(|suffix| COMPONENTS.map(|component| format!("{component}{suffix}")));
+    let header: Vec<String> = table.header.iter().map(str::to_owned).chain(names).collect();
+    writer.write_record(&header).map_err(|error| failed(&error))?;
+    for (index, row) in table.rows.iter().enumerate() {
+        // The shortest digits, at most 17, that read back to the same double.
+        let results = values.iter().filter_map(|column| column.get(index)).flatten().map(|value| format!("{value:?}"));
+        let cells: Vec<String> = row.iter().map(str::to_owned).chain(results).collect();
+        writer.write_record(&cells).map_err(|error| failed(&error))?;
+    }
+    let bytes = writer.into_inner().map_err(|error| failed(&error))?;
+    String::from_utf8(bytes).map_err(|error| failed(&error))
+}

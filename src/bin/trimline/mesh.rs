@@ -1,0 +1,149 @@
+//! `trimline mesh`: surface meshes at one instant or over time.
+
+use std::io::IsTerminal;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use indicatif::{ProgressBar, ProgressStyle};
+
+use trimline::diagnostic::{Code, Diagnostic};
+use trimline::export::{Format, write};
+use trimline::tessellate::{Grid, Scene, instants, tessellate};
+
+use crate::Outcome;
+use crate::failure::{Failure, print_warnings, say};
+use crate::options::{Collocation, Solving, Terminal, option_finding, read_grid};
+use crate::output::Files;
+use crate::workflow::{Prepared, Spec};
+
+#[derive(Args)]
+pub struct Arguments {
+    /// The spec file, or `-`.
+    spec: String,
+
+    #[command(flatten)]
+    solving: Solving,
+
+    #[command(flatten)]
+    collocation: Collocation,
+
+    /// The file; its extension is the format (obj, ply, stl). With --frames, each file gets its number.
+    #[arg(long, short, value_name = "FILE")]
+    output: PathBuf,
+
+    /// Quads across (u) and along (v).
+    #[arg(long, value_name = "NUxNV", default_value = "64x128")]
+    grid: String,
+
+    /// As many instants over the time domain, both ends included, a file each.
+    #[arg(long, value_name = "N", conflicts_with = "time")]
+    frames: Option<usize>,
+}
+
+pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
+    let format = format_of(&arguments.output)?;
+    let spec = Spec::read(&arguments.spec, &arguments.solving.reading)?;
+    let (u_cells, v_cells) = read_grid(&arguments.grid)?;
+    let grid = Grid::new(u_cells, v_cells, &spec.limits)
+        .map_err(|finding| option_finding("grid", &arguments.grid, finding))?;
+    let prepared: Vec<Prepared> = spec
+        .patches
+        .iter()
+        .map(|patch| spec.prepare(patch, &arguments.solving, arguments.collocation.points.as_deref()))
+        .collect::<Result<_, _>>()?;
+    let times = times(arguments, &spec, &prepared)?;
+    let progress = progress(times.len(), terminal);
+    let mut files = Files::default();
+    let (mut vertices, mut quads) = (0, 0);
+    for (index, &time) in times.iter().enumerate() {
+        let path =
+            if arguments.frames.is_some() { numbered(&arguments.output, index) } else { arguments.output.clone() };
+        let scene = scene(&spec, &prepared, grid, time, (index == 0, terminal))?;
+        vertices = scene.meshes.iter().map(|mesh| mesh.positions.len()).sum();
+        quads = scene.meshes.iter().map(|mesh| mesh.quads.len()).sum();
+        let notes = write(&scene, format, files.create(&path)?)
+            .map_err(|error| Failure::Found { source: None, findings: vec![error.to_diagnostic()] })?;
+        if index == 0 {
+            print_warnings(&notes, &spec.source, terminal);
+        }
+        progress.inc(1);
+    }
+    files.keep()?;
+    progress.finish_and_clear();
+    if !terminal.quiet {
+        let what = match (times.as_slice(), arguments.frames) {
+            (_, Some(_)) => format!(
+                "{} to {}",
+                numbered(&arguments.output, 0).display(),
+                numbered(&arguments.output, times.len().saturating_sub(1)).display()
+            ),
+            ([time], None) => format!("{} at t = {time}", arguments.output.display()),
+            _ => arguments.output.display().to_string(),
+        };
+        say(&format!("wrote {what}: {vertices} vertices, {quads} quads"));
+    }
+    Ok(())
+}
+
+fn format_of(path: &Path) -> Result<Format, Failure> {
+    let extension = path.extension().map(|extension| extension.to_string_lossy().into_owned()).unwrap_or_default();
+    Format::from_extension(&extension).ok_or_else(|| {
+        let known: Vec<String> = Format::ALL.iter().map(|format| format!(".{}", format.extension())).collect();
+        let what =
+            if extension.is_empty() { "no extension".to_owned() } else { format!("the extension `.{extension}`") };
+        Failure::Usage(format!("`{}` has {what}; write {}", path.display(), known.join(", ")))
+    })
+}
+
+fn times(arguments: &Arguments, spec: &Spec, prepared: &[Prepared]) -> Result<Vec<f64>, Failure> {
+    let Some(first) = prepared.first() else {
+        let finding = Diagnostic::new(Code::EmptyDocument, "there is no patch to mesh");
+        return Err(spec.fault(finding));
+    };
+    match arguments.frames {
+        None => Ok(vec![first.instant(arguments.solving.time)?]),
+        Some(frames) => instants(first.domain.t, frames, &spec.limits)
+            .map_err(|finding| option_finding("frames", &frames.to_string(), finding)),
+    }
+}
+
+fn scene(
+    spec: &Spec,
+    prepared: &[Prepared],
+    grid: Grid,
+    time: f64,
+    (is_first, terminal): (bool, &Terminal),
+) -> Result<Scene, Failure> {
+    let mut meshes = Vec::new();
+    for patch in prepared {
+        let solved = spec.solve(patch, time)?;
+        let ranges = (patch.domain.u, patch.domain.v);
+        let (mesh, notes) = tessellate(&patch.patch.name, &*solved.solution.surface, ranges, time, grid)
+            .map_err(|finding| spec.fault(finding))?;
+        if is_first {
+            print_warnings(&solved.solution.report.warnings, &spec.source, terminal);
+            print_warnings(&notes, &spec.source, terminal);
+        }
+        meshes.push(mesh);
+    }
+    Ok(Scene { meshes, time })
+}
+
+/// `blend.obj` as `blend.0007.obj`.
+fn numbered(path: &Path, index: usize) -> PathBuf {
+    let extension = path.extension().unwrap_or_default().to_string_lossy();
+    path.with_extension(format!("{index:04}.{extension}"))
+}
+
+/// A bar on long work, on a terminal only.
+fn progress(frames: usize, terminal: &Terminal) -> ProgressBar {
+    if terminal.quiet || frames < 2 || !std::io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} frames, {eta} left");
+    let bar = ProgressBar::new(u64::try_from(frames).unwrap_or(u64::MAX));
+    match style {
+        Ok(style) => bar.with_style(style),
+        Err(_) => bar,
+    }
+}

@@ -1,0 +1,138 @@
+//! Options that several commands share, and their meaning.
+
+use clap::{Args, ValueEnum};
+
+use trimline::diagnostic::{Diagnostic, Source};
+use trimline::limits::Limits;
+use trimline::method::{METHODS, Settings};
+
+use crate::failure::Failure;
+
+/// How the command speaks to a person.
+#[derive(Args)]
+pub struct Terminal {
+    /// Colours in diagnostics.
+    #[arg(long, value_enum, default_value_t = Color::Auto, global = true, value_name = "WHEN")]
+    pub color: Color,
+
+    /// No warnings, progress or summaries.
+    #[arg(long, short, global = true)]
+    pub quiet: bool,
+}
+
+/// When to use colours.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Color {
+    /// On a terminal, unless NO_COLOR is set.
+    Auto,
+    /// Always.
+    Always,
+    /// Never.
+    Never,
+}
+
+/// How a command prints its result.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// For reading.
+    Text,
+    /// For programs; keys are stable.
+    Json,
+}
+
+/// What every command needs to read a spec.
+#[derive(Args)]
+pub struct Reading {
+    /// Value of a param or of a coefficient of the equation; may be an expression in earlier params.
+    #[arg(long = "set", value_name = "NAME=EXPR")]
+    pub set: Vec<String>,
+
+    /// Only this patch.
+    #[arg(long, value_name = "NAME")]
+    pub patch: Option<String>,
+
+    /// Changes a limit, for example `nesting=200`; repeatable.
+    #[arg(long, value_name = "KEY=N")]
+    pub limits: Vec<String>,
+}
+
+impl Reading {
+    /// The limits, as changed by the user.
+    pub fn limits(&self) -> Result<Limits, Failure> {
+        let mut limits = Limits::default();
+        for change in &self.limits {
+            let mut named = limits.named();
+            let (key, value) = change.split_once('=').unwrap_or((change, ""));
+            let known: Vec<&str> = named.iter().map(|(name, _)| *name).collect();
+            let Some((_, slot)) = named.iter_mut().find(|(name, _)| *name == key) else {
+                return Err(Failure::Usage(format!("there is no limit `{key}`; limits: {}", known.join(", "))));
+            };
+            **slot = value
+                .parse()
+                .map_err(|_| Failure::Usage(format!("`--limits {change}`: write KEY=N with a whole number N")))?;
+        }
+        Ok(limits)
+    }
+}
+
+/// What every command that solves understands.
+#[derive(Args)]
+pub struct Solving {
+    #[command(flatten)]
+    pub reading: Reading,
+
+    /// The solution method, instead of the spec's.
+    #[arg(long, value_name = "NAME", long_help = method_help())]
+    pub method: Option<String>,
+
+    /// The number of trial functions of a fitted method.
+    #[arg(long, value_name = "K")]
+    pub terms: Option<String>,
+
+    /// The instant, where one is needed [default: start of the time domain].
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
+    pub time: Option<f64>,
+}
+
+/// The collocation grid of commands that take no points of their own.
+#[derive(Args)]
+pub struct Collocation {
+    /// Collocation grid, for example `11x11`, `11x11:ends`; nodes are midpoints, ends or gauss.
+    #[arg(long, value_name = "LxM[:KIND]")]
+    pub points: Option<String>,
+}
+
+fn method_help() -> String {
+    let rows = METHODS.iter().map(|method| format!("  {:10} {}", method.name(), method.description()));
+    let rows: Vec<String> = rows.collect();
+    format!(
+        "The solution method, instead of the spec's:\n  auto       the first that accepts the problem\n{}",
+        rows.join("\n")
+    )
+}
+
+impl Solving {
+    /// The settings the spec gives, overridden by options.
+    pub fn settings(&self, mut settings: Settings, points: Option<&str>) -> Result<Settings, Failure> {
+        let options = [("terms", self.terms.as_deref()), ("points", points)];
+        for (key, value) in options {
+            let Some(value) = value else { continue };
+            settings.set(key, value, None).map_err(|finding| option_finding(key, value, finding))?;
+        }
+        Ok(settings)
+    }
+}
+
+/// A finding about the value of an option, shown in the option's own text.
+pub fn option_finding(option: &str, value: &str, finding: Diagnostic) -> Failure {
+    let source = Source::new(format!("--{option}"), value);
+    let whole = trimline::diagnostic::Span::new(0, value.len());
+    Failure::one(&source, finding.at(whole))
+}
+
+/// Reads `64x128`.
+pub fn read_grid(text: &str) -> Result<(usize, usize), Failure> {
+    let wrong = || Failure::Usage(format!("`{text}` is not a grid: write NUxNV, for example 64x128"));
+    let (u, v) = text.split_once(['x', '×']).ok_or_else(wrong)?;
+    Ok((u.trim().parse().map_err(|_| wrong())?, v.trim().parse().map_err(|_| wrong())?))
+}

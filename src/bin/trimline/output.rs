@@ -1,0 +1,74 @@
+//! Results to standard output or to files that are complete or absent.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use tempfile::NamedTempFile;
+
+use crate::failure::Failure;
+
+/// Prints a whole result.
+pub fn print(text: &str) -> Result<(), Failure> {
+    let mut out = std::io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Ok(()) => Ok(()),
+        Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => Err(Failure::Closed),
+        Err(error) => Err(Failure::Machine(format!("cannot write to standard output: {error}"))),
+    }
+}
+
+/// Prints a value as JSON.
+pub fn print_json(value: &impl serde::Serialize) -> Result<(), Failure> {
+    let text = serde_json::to_string_pretty(value).map_err(|error| Failure::Machine(error.to_string()))?;
+    print(&(text + "\n"))
+}
+
+/// Files written beside their names, which they get all together when every one is complete.
+#[derive(Default)]
+pub struct Files {
+    written: Vec<(NamedTempFile, PathBuf)>,
+}
+
+impl Files {
+    /// A new file that will be called `path`.
+    pub fn create(&mut self, path: &Path) -> Result<&mut NamedTempFile, Failure> {
+        let folder = match path.parent() {
+            Some(folder) if !folder.as_os_str().is_empty() => folder,
+            _ => Path::new("."),
+        };
+        let file = tempfile::Builder::new().prefix(".trimline-").permissions_of_new_files().tempfile_in(folder);
+        let file =
+            file.map_err(|error| Failure::Machine(format!("cannot write to `{}`: {error}", folder.display())))?;
+        self.written.push((file, path.to_owned()));
+        match self.written.last_mut() {
+            Some((file, _)) => Ok(file),
+            None => Err(Failure::Machine("no file was made".to_owned())),
+        }
+    }
+
+    /// Gives every file its name.
+    pub fn keep(self) -> Result<(), Failure> {
+        for (file, path) in self.written {
+            file.persist(&path)
+                .map_err(|error| Failure::Machine(format!("cannot write `{}`: {}", path.display(), error.error)))?;
+        }
+        Ok(())
+    }
+}
+
+/// Temporary files are private by default; results are ordinary files.
+trait Permissions {
+    fn permissions_of_new_files(&mut self) -> &mut Self;
+}
+
+impl Permissions for tempfile::Builder<'_, '_> {
+    fn permissions_of_new_files(&mut self) -> &mut Self {
+        #[cfg(unix)]
+        {
+            use std::os::unix::fs::PermissionsExt;
+            // The process's umask still applies.
+            self.permissions(std::fs::Permissions::from_mode(0o666));
+        }
+        self
+    }
+}

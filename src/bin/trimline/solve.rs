@@ -1,0 +1,192 @@
+//! `trimline solve`: the solution's coefficients and its report.
+
+use std::fmt::Write;
+
+use clap::Args;
+use serde::Serialize;
+
+use trimline::diagnostic::{Diagnostic, Severity};
+use trimline::expr::Notation;
+use trimline::verify::Verification;
+
+use crate::Outcome;
+use crate::failure::{Failure, print_warnings, say};
+use crate::options::{Collocation, Format, Solving, Terminal};
+use crate::output;
+use crate::workflow::{Prepared, Solved, Spec};
+
+#[derive(Args)]
+pub struct Arguments {
+    /// The spec file, or `-`.
+    spec: String,
+
+    #[command(flatten)]
+    solving: Solving,
+
+    #[command(flatten)]
+    collocation: Collocation,
+
+    /// How to print.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+}
+
+#[derive(Serialize)]
+struct Patches {
+    patches: Vec<PatchSolution>,
+}
+
+#[derive(Serialize)]
+struct PatchSolution {
+    name: String,
+    method: &'static str,
+    exact: bool,
+    time: f64,
+    basis_size: usize,
+    closure_size: Option<usize>,
+    modes: usize,
+    boundary_error: f64,
+    pde_residual: f64,
+    amplification: Option<f64>,
+    condition: Option<f64>,
+    rank: usize,
+    unknowns: usize,
+    warnings: Vec<Warning>,
+    coefficients: Vec<FunctionCoefficients>,
+    seconds: Seconds,
+}
+
+#[derive(Serialize)]
+struct Warning {
+    code: &'static str,
+    message: String,
+}
+
+/// What stands in front of one basis function: a vector per boundary condition, then one per term.
+#[derive(Serialize)]
+struct FunctionCoefficients {
+    basis: String,
+    boundary: Vec<[f64; 3]>,
+    terms: Vec<[f64; 3]>,
+}
+
+#[derive(Serialize)]
+struct Seconds {
+    parse: f64,
+    decompose: f64,
+    compile: f64,
+    solve: f64,
+}
+
+pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
+    let spec = Spec::read(&arguments.spec, &arguments.solving.reading)?;
+    let mut patches = Vec::new();
+    let mut text = String::new();
+    for patch in &spec.patches {
+        let prepared = spec.prepare(patch, &arguments.solving, arguments.collocation.points.as_deref())?;
+        let time = prepared.instant(arguments.solving.time)?;
+        let solved = spec.solve(&prepared, time)?;
+        let measured = spec.verify(&prepared, &solved)?;
+        print_warnings(&solved.solution.report.warnings, &spec.source, terminal);
+        let solution = patch_solution(&spec, &prepared, &solved, &measured)?;
+        if arguments.format == Format::Text {
+            write_text(&mut text, &solution, &prepared);
+            if !terminal.quiet {
+                let s = &solution.seconds;
+                let all = [s.parse, s.decompose, s.compile, s.solve].map(|seconds| 1e3 * seconds);
+                let [parse, decompose, compile, solve] = all;
+                say(&format!(
+                    "parse {parse:.2} ms, decompose {decompose:.2} ms, compile {compile:.2} ms, solve {solve:.2} ms"
+                ));
+            }
+        }
+        patches.push(solution);
+    }
+    match arguments.format {
+        Format::Text => output::print(&text),
+        Format::Json => output::print_json(&Patches { patches }),
+    }
+}
+
+fn patch_solution(
+    spec: &Spec,
+    prepared: &Prepared,
+    solved: &Solved,
+    measured: &Verification,
+) -> Result<PatchSolution, Failure> {
+    let report = &solved.solution.report;
+    let surface = &solved.solution.surface;
+    let count = surface.basis.len();
+    let conditions = prepared.patch.conditions.len();
+    let all = surface.coefficients.first().map_or(&[][..], Vec::as_slice);
+    let mut coefficients = Vec::new();
+    for (j, function) in prepared.decomposition.basis.iter().enumerate() {
+        let of_function: Vec<[f64; 3]> = all.iter().skip(j).step_by(count.max(1)).copied().collect();
+        let (boundary, terms) = of_function.split_at_checked(conditions).unwrap_or_default();
+        let text = prepared.decomposition.text_of(function.expr, Notation::Ascii, &spec.limits);
+        coefficients.push(FunctionCoefficients {
+            basis: text.map_err(|finding| spec.fault(finding))?,
+            boundary: boundary.to_vec(),
+            terms: terms.to_vec(),
+        });
+    }
+    let is_warning = |finding: &&Diagnostic| finding.severity() == Severity::Warning;
+    let warnings = report.warnings.iter().filter(is_warning);
+    Ok(PatchSolution {
+        name: prepared.patch.name.clone(),
+        method: report.method,
+        exact: report.is_exact,
+        time: solved.time,
+        basis_size: report.basis_size,
+        closure_size: None,
+        modes: report.modes,
+        boundary_error: measured.boundary_error(),
+        pde_residual: measured.relative_residual(),
+        amplification: None,
+        condition: report.condition.is_finite().then_some(report.condition),
+        rank: report.rank,
+        unknowns: report.unknowns,
+        warnings: warnings.map(|w| Warning { code: w.code.as_str(), message: w.message.clone() }).collect(),
+        coefficients,
+        seconds: Seconds {
+            parse: spec.parse_seconds,
+            decompose: prepared.decompose_seconds,
+            compile: prepared.compile_seconds,
+            solve: solved.solve_seconds,
+        },
+    })
+}
+
+/// Writing to a string does not fail.
+fn write_text(text: &mut String, solution: &PatchSolution, prepared: &Prepared) {
+    let condition = solution.condition.map_or_else(|| "unbounded".to_owned(), |condition| format!("{condition:.1e}"));
+    let _ = writeln!(
+        text,
+        "patch {}: method {}, {} basis functions, {} terms each, at t = {}\n\
+         boundary error  {:.1e}\n\
+         PDE residual    {:.1e} of the largest term\n\
+         rank            {} of {}, condition {condition}",
+        solution.name,
+        solution.method,
+        solution.basis_size,
+        solution.modes,
+        solution.time,
+        solution.boundary_error,
+        solution.pde_residual,
+        solution.rank,
+        solution.unknowns,
+    );
+    for (index, function) in solution.coefficients.iter().enumerate() {
+        let _ = writeln!(text, "\nF{} = {}", index + 1, function.basis);
+        for (condition, vector) in function.boundary.iter().enumerate() {
+            let _ = writeln!(text, "  {:4} {}", prepared.decomposition.symbol(condition), vector_text(vector));
+        }
+        for (term, vector) in function.terms.iter().enumerate() {
+            let _ = writeln!(text, "  P{:<3} {}", term + 1, vector_text(vector));
+        }
+    }
+}
+
+fn vector_text([x, y, z]: &[f64; 3]) -> String {
+    format!("[{x}, {y}, {z}]")
+}

@@ -1,0 +1,195 @@
+//! From a spec's path to solved patches: the pipeline as commands use it, with its times.
+
+use std::io::Read;
+use std::path::Path;
+use std::sync::Arc;
+use std::time::Instant;
+
+use trimline::decompose::{Decomposition, decompose};
+use trimline::diagnostic::{Code, Diagnostic, Source, Span};
+use trimline::eval::Backend;
+use trimline::limits::Limits;
+use trimline::method::{self, Options, Settings, Solution, Solver};
+use trimline::problem::{Bindings, DomainValues, Patch, Problem};
+use trimline::resolve::{resolve, set_parameter};
+use trimline::syntax;
+use trimline::verify::{Verification, verify};
+
+use crate::failure::Failure;
+use crate::options::{Reading, Solving, option_finding};
+
+/// A spec that was read, with the user's parameter values.
+pub struct Spec {
+    pub source: Source,
+    pub limits: Limits,
+    pub problem: Problem,
+    pub bindings: Bindings,
+    /// The patches the user asked for.
+    pub patches: Vec<Patch>,
+    /// Seconds from bytes to problem.
+    pub parse_seconds: f64,
+}
+
+/// A patch that is ready to be solved at any instant.
+pub struct Prepared {
+    pub patch: Patch,
+    pub decomposition: Decomposition,
+    pub domain: DomainValues,
+    pub solver: Box<dyn Solver>,
+    pub decompose_seconds: f64,
+    pub compile_seconds: f64,
+}
+
+/// A patch solved at one instant.
+pub struct Solved {
+    pub solution: Solution,
+    pub time: f64,
+    pub solve_seconds: f64,
+}
+
+impl Spec {
+    /// Reads `path`, or standard input for `-`.
+    pub fn read(path: &str, reading: &Reading) -> Result<Spec, Failure> {
+        let limits = reading.limits()?;
+        let start = Instant::now();
+        let (name, bytes) = read_bytes(path, &limits)?;
+        let empty = || Source::new(name.clone(), String::from_utf8_lossy(&bytes));
+        let source = syntax::decode(&name, &bytes, &limits).map_err(|finding| Failure::one(&empty(), finding))?;
+        let document = syntax::parse(&source, &limits).map_err(|findings| Failure::found(&source, findings))?;
+        let stem =
+            Path::new(&name).file_stem().map_or_else(|| name.clone(), |stem| stem.to_string_lossy().into_owned());
+        let mut problem = resolve(&document, &stem, &limits).map_err(|findings| Failure::found(&source, findings))?;
+        for change in &reading.set {
+            set(&mut problem, change, &limits)?;
+        }
+        let bindings = Bindings::evaluate(&problem).map_err(|finding| overridden(&source, reading, finding))?;
+        let patches = select(&problem, reading.patch.as_deref())?;
+        Ok(Spec { source, limits, problem, bindings, patches, parse_seconds: start.elapsed().as_secs_f64() })
+    }
+
+    /// A failure that points into this spec.
+    pub fn fault(&self, finding: Diagnostic) -> Failure {
+        Failure::one(&self.source, finding)
+    }
+
+    /// Decomposes a patch.
+    pub fn decompose(&self, patch: &Patch) -> Result<Decomposition, Failure> {
+        decompose(&self.problem, patch, &self.limits).map_err(|finding| self.fault(finding))
+    }
+
+    /// Decomposes and compiles a patch with the method and settings that spec and options give.
+    pub fn prepare(&self, patch: &Patch, solving: &Solving, points: Option<&str>) -> Result<Prepared, Failure> {
+        let start = Instant::now();
+        let domain = patch.domain.evaluate(&self.problem, &self.bindings).map_err(|finding| self.fault(finding))?;
+        let decomposition = self.decompose(patch)?;
+        let decompose_seconds = start.elapsed().as_secs_f64();
+        let start = Instant::now();
+        let request = &patch.solve;
+        let method = match solving.method.as_deref() {
+            Some(name) => method::choose(Some(name), None, &decomposition).map_err(|finding| match finding.span {
+                Some(_) => self.fault(finding),
+                None => option_finding("method", name, finding),
+            })?,
+            None => method::choose(request.method.as_deref(), request.origin, &decomposition)
+                .map_err(|finding| self.fault(finding))?,
+        };
+        let stated = Settings::read(&request.settings).map_err(|finding| self.fault(finding))?;
+        let settings = solving.settings(stated, points)?;
+        let options = Options { settings, backend: Backend::Auto, limits: self.limits.clone() };
+        let solver = method.prepare(&decomposition, &options).map_err(|finding| {
+            match (finding.span, points, &solving.terms) {
+                (None, Some(points), _) => option_finding("points", points, finding),
+                (None, None, Some(terms)) => option_finding("terms", terms, finding),
+                _ => self.fault(finding),
+            }
+        })?;
+        let compile_seconds = start.elapsed().as_secs_f64();
+        Ok(Prepared { patch: patch.clone(), decomposition, domain, solver, decompose_seconds, compile_seconds })
+    }
+
+    /// Solves a patch at `time`.
+    pub fn solve(&self, prepared: &Prepared, time: f64) -> Result<Solved, Failure> {
+        let start = Instant::now();
+        let ranges = [prepared.domain.u, prepared.domain.v];
+        let solution =
+            prepared.solver.solve(self.bindings.as_slice(), ranges, time).map_err(|finding| self.fault(finding))?;
+        Ok(Solved { solution, time, solve_seconds: start.elapsed().as_secs_f64() })
+    }
+
+    /// Measures a solution.
+    pub fn verify(&self, prepared: &Prepared, solved: &Solved) -> Result<Verification, Failure> {
+        let surface = Arc::clone(&solved.solution.surface);
+        verify(&self.problem, &prepared.patch, &*surface, (&self.bindings, &prepared.domain, solved.time))
+            .map_err(|finding| self.fault(finding))
+    }
+}
+
+impl Prepared {
+    /// The instant the user asked for, which must lie in the time domain, or the domain's start.
+    pub fn instant(&self, time: Option<f64>) -> Result<f64, Failure> {
+        let [start, end] = self.domain.t;
+        match time {
+            None => Ok(start),
+            Some(time) if (start..=end).contains(&time) => Ok(time),
+            Some(time) => {
+                let message = format!("t = {time} lies outside the time domain [{start}, {end}]");
+                let finding = Diagnostic::new(Code::PointOutsideDomain, message)
+                    .hint("choose an instant inside, or widen `domain t in [..]` in the spec");
+                Err(option_finding("time", &time.to_string(), finding))
+            }
+        }
+    }
+}
+
+fn read_bytes(path: &str, limits: &Limits) -> Result<(String, Vec<u8>), Failure> {
+    // One byte more than allowed is enough to see that there is too much.
+    let allowed = u64::try_from(limits.source_bytes).unwrap_or(u64::MAX).saturating_add(1);
+    let mut bytes = Vec::new();
+    if path == "-" {
+        let read = std::io::stdin().lock().take(allowed).read_to_end(&mut bytes);
+        read.map_err(|error| Failure::Machine(format!("cannot read standard input: {error}")))?;
+        return Ok(("standard input".to_owned(), bytes));
+    }
+    let unreadable = |error: std::io::Error| {
+        let message = format!("cannot read `{path}`: {error}");
+        if error.kind() == std::io::ErrorKind::NotFound { Failure::Usage(message) } else { Failure::Machine(message) }
+    };
+    let file = std::fs::File::open(path).map_err(unreadable)?;
+    file.take(allowed).read_to_end(&mut bytes).map_err(unreadable)?;
+    Ok((path.to_owned(), bytes))
+}
+
+fn set(problem: &mut Problem, change: &str, limits: &Limits) -> Result<(), Failure> {
+    let Some((name, value)) = change.split_once('=') else {
+        return Err(Failure::Usage(format!("`--set {change}`: write NAME=EXPR, for example --set h1=-2")));
+    };
+    let source = Source::new(format!("--set {name}"), value);
+    set_parameter(problem, name.trim(), &source, limits).map_err(|mut findings| {
+        for finding in &mut findings {
+            finding.span = finding.span.or(Some(Span::new(0, value.len())));
+        }
+        Failure::found(&source, findings)
+    })
+}
+
+/// A finding about a parameter's value that came from an option points at the option.
+fn overridden(source: &Source, reading: &Reading, finding: Diagnostic) -> Failure {
+    let named = reading.set.iter().find(|change| {
+        let name = change.split_once('=').map_or("", |(name, _)| name.trim());
+        finding.span.is_none() && finding.message.contains(&format!("`{}`", trimline::expr::canonical_name(name)))
+    });
+    match named.and_then(|change| change.split_once('=')) {
+        Some((name, value)) => option_finding(&format!("set {name}"), value, finding),
+        None => Failure::one(source, finding),
+    }
+}
+
+fn select(problem: &Problem, name: Option<&str>) -> Result<Vec<Patch>, Failure> {
+    let Some(name) = name else { return Ok(problem.patches.clone()) };
+    let found: Vec<Patch> = problem.patches.iter().filter(|patch| patch.name == name).cloned().collect();
+    if found.is_empty() {
+        let known: Vec<&str> = problem.patches.iter().map(|patch| patch.name.as_str()).collect();
+        return Err(Failure::Usage(format!("there is no patch `{name}`; patches: {}", known.join(", "))));
+    }
+    Ok(found)
+}
