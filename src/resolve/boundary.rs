@@ -6,7 +6,7 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 use crate::expr::{ExprId, Variable};
 use crate::numeric::CardinalPolynomials;
 use crate::problem::{BoundaryCondition, describe_condition};
-use crate::syntax::ast::{Boundary, Constraint};
+use crate::syntax::ast::{Boundary, Constraint, Expression, Kind};
 
 /// A condition that is still being collected.
 struct Collected {
@@ -115,13 +115,20 @@ fn add(
             return Err(depends_on_u(expr, u, position, place, lowering));
         }
     }
+    // Each component of a vector has a place of its own.
+    let places = match &lowering.tree.node(constraint.value).kind {
+        Kind::Vector(parts) => <[Expression; 3]>::try_from(parts.as_slice())
+            .map(|parts| parts.map(|part| lowering.tree.span(part)))
+            .unwrap_or([place; 3]),
+        _ => [place; 3],
+    };
     let index = collected.iter().position(|other| other.position == position && other.order == order);
     let index = index.unwrap_or_else(|| {
         collected.push(Collected { position, u, order, value: [None; 3] });
         collected.len() - 1
     });
     let Some(condition) = collected.get_mut(index) else { return Ok(()) };
-    for (component, (slot, expr)) in condition.value.iter_mut().zip(wanted).enumerate() {
+    for (component, ((slot, expr), place)) in condition.value.iter_mut().zip(wanted).zip(places).enumerate() {
         match (slot.as_ref(), expr) {
             (Some((_, first)), Some(_)) => {
                 let what = describe_condition(Some(component), order, position);

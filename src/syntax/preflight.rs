@@ -30,7 +30,7 @@ pub fn decode(name: &str, bytes: &[u8], limits: &Limits) -> Result<Source, Diagn
     if bytes.len() > limits.source_bytes {
         return Err(Diagnostic::new(
             Code::LimitReached,
-            format!("the text has {} bytes; the limit `source-bytes` is {}", bytes.len(), limits.source_bytes),
+            format!("the text is longer than the limit `source-bytes` of {}", limits.source_bytes),
         )
         .hint("a spec states a problem; move tables of numbers elsewhere, or raise the limit"));
     }
@@ -114,6 +114,10 @@ fn close(open: &mut Vec<(char, usize)>, letter: char, at: usize) -> Result<usize
     match open.pop() {
         Some((bracket, start)) if bracket == expected => Ok(start),
         Some((bracket, start)) => {
+            // The outer bracket is closed by this one all the same: report a slip once.
+            if open.last().is_some_and(|(outer, _)| *outer == expected) {
+                open.pop();
+            }
             Err(Diagnostic::new(Code::UnbalancedBracket, format!("`{bracket}` is closed by `{letter}`"))
                 .at(Span::new(at, at + 1))
                 .label(Span::new(start, start + 1), "opened here"))

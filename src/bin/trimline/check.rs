@@ -147,8 +147,11 @@ fn patch_report(
 fn text(report: &Report) -> String {
     let mut text = String::new();
     for patch in &report.patches {
-        let times: Vec<String> = patch.times.iter().map(f64::to_string).collect();
-        let _ = writeln!(text, "patch {}: method {}, at t = {}", patch.name, patch.method, times.join(", "));
+        let when = match patch.times.as_slice() {
+            [first, .., last] => format!("{} instants from t = {first} to {last}", patch.times.len()),
+            times => times.iter().map(|time| format!("t = {time}")).collect(),
+        };
+        let _ = writeln!(text, "patch {}: method {}, {when}", patch.name, patch.method);
         for boundary in &patch.boundaries {
             let what = describe_condition(None, boundary.order, boundary.u);
             let _ = writeln!(text, "  {what:20} largest error {:.1e}", boundary.max_error);

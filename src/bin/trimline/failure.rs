@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 
-use trimline::diagnostic::{Class, Diagnostic, Diagnostics, Severity, Source};
+use trimline::diagnostic::{Class, Diagnostic, Diagnostics, Severity, Source, Span};
 
 use crate::options::{Color, Terminal};
 
@@ -99,14 +99,12 @@ fn group<'a>(finding: &'a Diagnostic, source: Option<&'a Source>) -> Group<'a> {
     };
     let mut group = Group::with_title(level.primary_title(finding.message.as_str()).id(finding.code.as_str()));
     if let (Some(source), Some(span)) = (source, finding.span) {
-        let end = source.text.len();
-        let marked = AnnotationKind::Primary.span(span.start.min(end)..span.end.min(end));
+        let marked = AnnotationKind::Primary.span(shown(&source.text, span));
         let marked = if finding.marker.is_empty() { marked } else { marked.label(finding.marker.as_str()) };
-        let others = finding.labels.iter().map(|label| {
-            AnnotationKind::Context
-                .span(label.span.start.min(end)..label.span.end.min(end))
-                .label(label.message.as_str())
-        });
+        let others = finding
+            .labels
+            .iter()
+            .map(|label| AnnotationKind::Context.span(shown(&source.text, label.span)).label(label.message.as_str()));
         let snippet = Snippet::source(source.text.as_str()).path(source.name.as_str()).annotation(marked);
         group = group.element(snippet.annotations(others));
     }
@@ -114,4 +112,11 @@ fn group<'a>(finding: &'a Diagnostic, source: Option<&'a Source>) -> Group<'a> {
         group = group.element(Level::HELP.with_name("hint").message(hint.as_str()));
     }
     group
+}
+
+/// The range of whole characters that covers `span`; text that was not UTF-8 is shown with replacements.
+fn shown(text: &str, span: Span) -> std::ops::Range<usize> {
+    let start = (0..=span.start.min(text.len())).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0);
+    let end = (span.end.min(text.len())..=text.len()).find(|at| text.is_char_boundary(*at)).unwrap_or(text.len());
+    start..end.max(start)
 }

@@ -36,11 +36,13 @@ struct Arguments {
 
 const AFTER_HELP: &str = "\
 Examples:
-  trimline check blend.trim                              is the spec complete, how well is it solved?
-  trimline basis blend.trim                              the derived basis functions and coefficients
-  trimline mesh blend.trim -o blend.obj --time 0.2       the surface at one instant
-  trimline mesh blend.trim -o blend.obj --frames 11      blend.0000.obj … blend.0010.obj over the time domain
-  trimline solve blend.trim --set h1=-2 --terms 7        another parameter, another number of terms
+  trimline check blend.trim                    is it complete, how well is it solved?
+  trimline basis blend.trim                    the derived basis and coefficients
+  trimline mesh blend.trim -o blend.obj        the surface at the first instant
+  trimline mesh blend.trim -o blend.obj --frames 11
+                                               blend.0000.obj to blend.0010.obj
+  trimline solve blend.trim --set h1=-2 --terms 7
+                                               another param, another number of terms
   printf 'u,v\\n0.5,1\\n' | trimline eval blend.trim --points -
 
 SPEC is a path, or `-` for standard input.

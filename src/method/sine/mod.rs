@@ -18,7 +18,7 @@ use nalgebra::DMatrix;
 use super::{Method, Options, Report, Size, Solution, Solver};
 use crate::decompose::Decomposition;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
-use crate::eval::{Evaluator, Program, Samples, compile};
+use crate::eval::{Backend, Evaluator, Program, Samples, compile};
 use crate::expr::{Derivative, ExprId, Graph};
 use crate::numeric::{NodeKind, nodes};
 use crate::surface::{Basis, Coefficients, SeparableSurface};
@@ -64,7 +64,9 @@ impl Method for SineSeries {
         let (terms, points) = sizes(decomposition, options, orders_in_t)?;
         let mut graph = decomposition.graph.clone();
         let operator = Operator::build(&mut graph, decomposition, orders_in_t)?;
-        let program = |outputs: &[ExprId]| compile(Program::compile(&graph, outputs), options.backend);
+        // These run over a handful of nodes for each solution: interpreting them is done before compiling would be.
+        let backend = if options.backend == Backend::Auto { Backend::Interpreter } else { options.backend };
+        let program = |outputs: &[ExprId]| compile(Program::compile(&graph, outputs), backend);
         let (operator_values, note) = program(&operator.outputs);
         let (constant_values, _) = program(&constants(decomposition));
         let functions = decomposition.basis.iter().map(|function| (function.expr, function.origin)).collect();
@@ -368,7 +370,8 @@ impl SineSolver {
 fn place(coefficients: &mut Coefficients, count: usize, j: usize, fit: &DMatrix<f64>) {
     for (row, slot) in fit.row_iter().zip(coefficients.iter_mut().skip(j).step_by(count.max(1))) {
         for (component, value) in slot.iter_mut().zip(row.iter()) {
-            *component = *value;
+            // Adding zero turns -0 into 0, which reads better.
+            *component = *value + 0.0;
         }
     }
 }
