@@ -83,7 +83,9 @@ pub struct Report {
 /// What a preparation is given besides the problem.
 #[derive(Debug, Clone, Default)]
 pub struct Options {
-    /// The method's settings.
+    /// The method, instead of the document's.
+    pub method: Option<String>,
+    /// Settings; those of the document hold where there are none.
     pub settings: Settings,
     /// How programs run.
     pub backend: Backend,

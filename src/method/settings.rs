@@ -48,6 +48,12 @@ impl Size {
 }
 
 impl Settings {
+    /// These settings, and those of `other` where there are none.
+    #[must_use]
+    pub fn over(self, other: Settings) -> Settings {
+        Settings { terms: self.terms.or(other.terms), points: self.points.or(other.points) }
+    }
+
     /// Reads the settings of a `solve` statement; later ones with the same key are an error.
     ///
     /// # Errors

@@ -12,7 +12,7 @@ use crate::Outcome;
 use crate::failure::{Failure, print_warnings};
 use crate::options::{Collocation, Format, Solving, Terminal};
 use crate::output;
-use crate::workflow::{Prepared, Spec};
+use crate::workflow::{Patched, Spec};
 
 #[derive(Args)]
 pub struct Arguments {
@@ -92,17 +92,17 @@ fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Vec<P
     let spec = Spec::read(path, &arguments.solving.reading)?;
     let mut reports = Vec::new();
     for patch in &spec.patches {
-        let prepared = spec.prepare(patch, &arguments.solving, arguments.collocation.points.as_deref())?;
+        let patched = spec.prepare(patch, &arguments.solving, arguments.collocation.points.as_deref())?;
         let times = match arguments.solving.time {
-            Some(_) => vec![prepared.instant(arguments.solving.time)?],
-            None => trimline::tessellate::instants(prepared.domain.t, INSTANTS, &spec.limits)
+            Some(_) => vec![patched.instant(arguments.solving.time)?],
+            None => trimline::tessellate::instants(patched.prepared.domain.t, INSTANTS, &spec.limits)
                 .map_err(|finding| spec.fault(finding))?,
         };
         let mut worst: Option<Verification> = None;
         let mut method = "";
         for (index, &time) in times.iter().enumerate() {
-            let solved = spec.solve(&prepared, time)?;
-            let measured = spec.verify(&prepared, &solved)?;
+            let solved = spec.solve(&patched, time)?;
+            let measured = spec.verify(&patched, &solved)?;
             method = solved.solution.report.method;
             if index == 0 {
                 print_warnings(&solved.solution.report.warnings, &spec.source, terminal);
@@ -113,7 +113,7 @@ fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Vec<P
             });
         }
         if let Some(worst) = worst {
-            reports.push(patch_report(&spec, &prepared, method, &worst, times)?);
+            reports.push(patch_report(&spec, &patched, method, &worst, times)?);
         }
     }
     Ok(reports)
@@ -121,19 +121,19 @@ fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Vec<P
 
 fn patch_report(
     spec: &Spec,
-    prepared: &Prepared,
+    patched: &Patched,
     method: &'static str,
     worst: &Verification,
     times: Vec<f64>,
 ) -> Result<PatchReport, Failure> {
     let mut boundaries = Vec::new();
-    for (condition, max_error) in prepared.patch.conditions.iter().zip(&worst.boundary_errors) {
+    for (condition, max_error) in patched.prepared.patch().conditions.iter().zip(&worst.boundary_errors) {
         let u = spec.bindings.constant(&spec.problem, condition.u, None, "the position of a boundary");
         let u = u.map_err(|finding| spec.fault(finding))?;
         boundaries.push(Boundary { u, order: condition.order, max_error: *max_error });
     }
     Ok(PatchReport {
-        name: prepared.patch.name.clone(),
+        name: patched.prepared.patch().name.clone(),
         method,
         boundaries,
         joins: Vec::new(),

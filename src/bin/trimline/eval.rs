@@ -15,7 +15,7 @@ use crate::Outcome;
 use crate::failure::{Failure, print_warnings};
 use crate::options::{Solving, Terminal};
 use crate::output;
-use crate::workflow::{Prepared, Spec};
+use crate::workflow::{Patched, Spec};
 
 #[derive(Args)]
 pub struct Arguments {
@@ -56,10 +56,10 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
         return Err(Failure::Usage("name the patch to evaluate with --patch".to_owned()));
     };
     let derivatives = read_derivatives(&arguments.derivatives, spec.limits.derivative_order)?;
-    let prepared = spec.prepare(patch, &arguments.solving, grid)?;
-    let default_time = prepared.instant(arguments.solving.time)?;
-    let table = read_table(file, default_time, &prepared, spec.limits.samples)?;
-    let values = evaluate(&spec, &prepared, &table.points, &derivatives, terminal)?;
+    let patched = spec.prepare(patch, &arguments.solving, grid)?;
+    let default_time = patched.instant(arguments.solving.time)?;
+    let table = read_table(file, default_time, &patched, spec.limits.samples)?;
+    let values = evaluate(&spec, &patched, &table.points, &derivatives, terminal)?;
     let text = write_table(&table, &derivatives, &values)?;
     match &arguments.output {
         None => output::print(&text),
@@ -102,7 +102,7 @@ fn read_derivatives(names: &[String], highest: usize) -> Result<Vec<Derivative>,
     names.iter().map(read).collect()
 }
 
-fn read_table(file: &str, default_time: f64, prepared: &Prepared, allowed: usize) -> Result<Table, Failure> {
+fn read_table(file: &str, default_time: f64, patched: &Patched, allowed: usize) -> Result<Table, Failure> {
     let shown = if file == "-" { "standard input" } else { file };
     let unreadable = |error: &dyn std::fmt::Display| Failure::Usage(format!("cannot read `{shown}`: {error}"));
     let input: Box<dyn Read> = if file == "-" {
@@ -125,7 +125,7 @@ fn read_table(file: &str, default_time: f64, prepared: &Prepared, allowed: usize
     };
     let required = |name: &str| column(name)?.ok_or_else(|| bad(format!("the header names no column `{name}`")));
     let columns = [Some(required("u")?), Some(required("v")?), column("t")?];
-    let ranges = [prepared.domain.u, prepared.domain.v, prepared.domain.t];
+    let ranges = [patched.prepared.domain.u, patched.prepared.domain.v, patched.prepared.domain.t];
     let (mut rows, mut points) = (Vec::new(), Vec::new());
     for record in reader.records() {
         let record = record.map_err(|error| bad(error.to_string()))?;
@@ -159,7 +159,7 @@ fn read_table(file: &str, default_time: f64, prepared: &Prepared, allowed: usize
 /// Positions, then each derivative, at every point; solved once for each distinct instant.
 fn evaluate(
     spec: &Spec,
-    prepared: &Prepared,
+    patched: &Patched,
     points: &[[f64; 3]],
     derivatives: &[Derivative],
     terminal: &Terminal,
@@ -172,7 +172,7 @@ fn evaluate(
         instants.entry((t + 0.0).to_bits()).or_default().push(index);
     }
     for (number, (bits, indices)) in instants.iter().enumerate() {
-        let solved = spec.solve(prepared, f64::from_bits(*bits))?;
+        let solved = spec.solve(patched, f64::from_bits(*bits))?;
         if number == 0 {
             print_warnings(&solved.solution.report.warnings, &spec.source, terminal);
         }

@@ -14,7 +14,7 @@ use crate::Outcome;
 use crate::failure::{Failure, print_warnings, say};
 use crate::options::{Collocation, Solving, Terminal, option_finding, read_grid};
 use crate::output::Files;
-use crate::workflow::{Prepared, Spec};
+use crate::workflow::{Patched, Spec};
 
 #[derive(Args)]
 pub struct Arguments {
@@ -46,19 +46,19 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
     let (u_cells, v_cells) = read_grid(&arguments.grid)?;
     let grid = Grid::new(u_cells, v_cells, &spec.limits)
         .map_err(|finding| option_finding("grid", &arguments.grid, finding))?;
-    let prepared: Vec<Prepared> = spec
+    let patched: Vec<Patched> = spec
         .patches
         .iter()
         .map(|patch| spec.prepare(patch, &arguments.solving, arguments.collocation.points.as_deref()))
         .collect::<Result<_, _>>()?;
-    let times = times(arguments, &spec, &prepared)?;
+    let times = times(arguments, &spec, &patched)?;
     let progress = progress(times.len(), terminal);
     let mut files = Files::default();
     let (mut vertices, mut quads) = (0, 0);
     for (index, &time) in times.iter().enumerate() {
         let path =
             if arguments.frames.is_some() { numbered(&arguments.output, index) } else { arguments.output.clone() };
-        let scene = scene(&spec, &prepared, grid, time, (index == 0, terminal))?;
+        let scene = scene(&spec, &patched, grid, time, (index == 0, terminal))?;
         vertices = scene.meshes.iter().map(|mesh| mesh.positions.len()).sum();
         quads = scene.meshes.iter().map(|mesh| mesh.quads.len()).sum();
         let notes = write(&scene, format, files.create(&path)?)
@@ -95,30 +95,30 @@ fn format_of(path: &Path) -> Result<Format, Failure> {
     })
 }
 
-fn times(arguments: &Arguments, spec: &Spec, prepared: &[Prepared]) -> Result<Vec<f64>, Failure> {
-    let Some(first) = prepared.first() else {
+fn times(arguments: &Arguments, spec: &Spec, patched: &[Patched]) -> Result<Vec<f64>, Failure> {
+    let Some(first) = patched.first() else {
         let finding = Diagnostic::new(Code::EmptyDocument, "there is no patch to mesh");
         return Err(spec.fault(finding));
     };
     match arguments.frames {
         None => Ok(vec![first.instant(arguments.solving.time)?]),
-        Some(frames) => instants(first.domain.t, frames, &spec.limits)
+        Some(frames) => instants(first.prepared.domain.t, frames, &spec.limits)
             .map_err(|finding| option_finding("frames", &frames.to_string(), finding)),
     }
 }
 
 fn scene(
     spec: &Spec,
-    prepared: &[Prepared],
+    patched: &[Patched],
     grid: Grid,
     time: f64,
     (is_first, terminal): (bool, &Terminal),
 ) -> Result<Scene, Failure> {
     let mut meshes = Vec::new();
-    for patch in prepared {
+    for patch in patched {
         let solved = spec.solve(patch, time)?;
-        let ranges = (patch.domain.u, patch.domain.v);
-        let (mesh, notes) = tessellate(&patch.patch.name, &*solved.solution.surface, ranges, time, grid)
+        let ranges = (patch.prepared.domain.u, patch.prepared.domain.v);
+        let (mesh, notes) = tessellate(&patch.prepared.patch().name, &*solved.solution.surface, ranges, time, grid)
             .map_err(|finding| spec.fault(finding))?;
         if is_first {
             print_warnings(&solved.solution.report.warnings, &spec.source, terminal);

@@ -112,8 +112,9 @@ fn method_help() -> String {
 }
 
 impl Solving {
-    /// The settings the spec gives, overridden by options.
-    pub fn settings(&self, mut settings: Settings, points: Option<&str>) -> Result<Settings, Failure> {
+    /// The settings that options give.
+    pub fn settings(&self, points: Option<&str>) -> Result<Settings, Failure> {
+        let mut settings = Settings::default();
         let options = [("terms", self.terms.as_deref()), ("points", points)];
         for (key, value) in options {
             let Some(value) = value else { continue };

@@ -13,7 +13,7 @@ use crate::Outcome;
 use crate::failure::{Failure, print_warnings, say};
 use crate::options::{Collocation, Format, Solving, Terminal};
 use crate::output;
-use crate::workflow::{Prepared, Solved, Spec};
+use crate::workflow::{Patched, Solved, Spec};
 
 #[derive(Args)]
 pub struct Arguments {
@@ -83,14 +83,14 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
     let mut patches = Vec::new();
     let mut text = String::new();
     for patch in &spec.patches {
-        let prepared = spec.prepare(patch, &arguments.solving, arguments.collocation.points.as_deref())?;
-        let time = prepared.instant(arguments.solving.time)?;
-        let solved = spec.solve(&prepared, time)?;
-        let measured = spec.verify(&prepared, &solved)?;
+        let patched = spec.prepare(patch, &arguments.solving, arguments.collocation.points.as_deref())?;
+        let time = patched.instant(arguments.solving.time)?;
+        let solved = spec.solve(&patched, time)?;
+        let measured = spec.verify(&patched, &solved)?;
         print_warnings(&solved.solution.report.warnings, &spec.source, terminal);
-        let solution = patch_solution(&spec, &prepared, &solved, &measured)?;
+        let solution = patch_solution(&spec, &patched, &solved, &measured)?;
         if arguments.format == Format::Text {
-            write_text(&mut text, &solution, &prepared);
+            write_text(&mut text, &solution, &patched);
             if !terminal.quiet {
                 let s = &solution.seconds;
                 let all = [s.parse, s.decompose, s.compile, s.solve].map(|seconds| 1e3 * seconds);
@@ -110,20 +110,20 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
 
 fn patch_solution(
     spec: &Spec,
-    prepared: &Prepared,
+    patched: &Patched,
     solved: &Solved,
     measured: &Verification,
 ) -> Result<PatchSolution, Failure> {
     let report = &solved.solution.report;
     let surface = &solved.solution.surface;
     let count = surface.basis.len();
-    let conditions = prepared.patch.conditions.len();
+    let conditions = patched.prepared.patch().conditions.len();
     let all = surface.coefficients.first().map_or(&[][..], Vec::as_slice);
     let mut coefficients = Vec::new();
-    for (j, function) in prepared.decomposition.basis.iter().enumerate() {
+    for (j, function) in patched.prepared.decomposition.basis.iter().enumerate() {
         let of_function: Vec<[f64; 3]> = all.iter().skip(j).step_by(count.max(1)).copied().collect();
         let (boundary, terms) = of_function.split_at_checked(conditions).unwrap_or_default();
-        let text = prepared.decomposition.text_of(function.expr, Notation::Ascii, &spec.limits);
+        let text = patched.prepared.decomposition.text_of(function.expr, Notation::Ascii, &spec.limits);
         coefficients.push(FunctionCoefficients {
             basis: text.map_err(|finding| spec.fault(finding))?,
             boundary: boundary.to_vec(),
@@ -133,7 +133,7 @@ fn patch_solution(
     let is_warning = |finding: &&Diagnostic| finding.severity() == Severity::Warning;
     let warnings = report.warnings.iter().filter(is_warning);
     Ok(PatchSolution {
-        name: prepared.patch.name.clone(),
+        name: patched.prepared.patch().name.clone(),
         method: report.method,
         exact: report.is_exact,
         time: solved.time,
@@ -150,15 +150,15 @@ fn patch_solution(
         coefficients,
         seconds: Seconds {
             parse: spec.parse_seconds,
-            decompose: prepared.decompose_seconds,
-            compile: prepared.compile_seconds,
+            decompose: patched.decompose_seconds,
+            compile: patched.compile_seconds,
             solve: solved.solve_seconds,
         },
     })
 }
 
 /// Writing to a string does not fail.
-fn write_text(text: &mut String, solution: &PatchSolution, prepared: &Prepared) {
+fn write_text(text: &mut String, solution: &PatchSolution, patched: &Patched) {
     let condition = solution.condition.map_or_else(|| "unbounded".to_owned(), |condition| format!("{condition:.1e}"));
     let _ = writeln!(
         text,
@@ -179,7 +179,7 @@ fn write_text(text: &mut String, solution: &PatchSolution, prepared: &Prepared) 
     for (index, function) in solution.coefficients.iter().enumerate() {
         let _ = writeln!(text, "\nF{} = {}", index + 1, function.basis);
         for (condition, vector) in function.boundary.iter().enumerate() {
-            let _ = writeln!(text, "  {:4} {}", prepared.decomposition.symbol(condition), vector_text(vector));
+            let _ = writeln!(text, "  {:4} {}", patched.prepared.decomposition.symbol(condition), vector_text(vector));
         }
         for (term, vector) in function.terms.iter().enumerate() {
             let _ = writeln!(text, "  P{:<3} {}", term + 1, vector_text(vector));

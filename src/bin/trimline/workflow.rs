@@ -2,18 +2,18 @@
 
 use std::io::Read;
 use std::path::Path;
-use std::sync::Arc;
 use std::time::Instant;
 
+use trimline::blend::Prepared;
 use trimline::decompose::{Decomposition, decompose};
 use trimline::diagnostic::{Code, Diagnostic, Source, Span};
 use trimline::eval::Backend;
 use trimline::limits::Limits;
-use trimline::method::{self, Options, Settings, Solution, Solver};
-use trimline::problem::{Bindings, DomainValues, Patch, Problem};
+use trimline::method::{Options, Solution};
+use trimline::problem::{Bindings, Patch, Problem};
 use trimline::resolve::{resolve, set_parameter};
 use trimline::syntax;
-use trimline::verify::{Verification, verify};
+use trimline::verify::Verification;
 
 use crate::failure::Failure;
 use crate::options::{Reading, Solving, option_finding};
@@ -30,12 +30,9 @@ pub struct Spec {
     pub parse_seconds: f64,
 }
 
-/// A patch that is ready to be solved at any instant.
-pub struct Prepared {
-    pub patch: Patch,
-    pub decomposition: Decomposition,
-    pub domain: DomainValues,
-    pub solver: Box<dyn Solver>,
+/// A patch that is ready to be solved at any instant, with its times.
+pub struct Patched {
+    pub prepared: Prepared,
     pub decompose_seconds: f64,
     pub compile_seconds: f64,
 }
@@ -78,56 +75,47 @@ impl Spec {
     }
 
     /// Decomposes and compiles a patch with the method and settings that spec and options give.
-    pub fn prepare(&self, patch: &Patch, solving: &Solving, points: Option<&str>) -> Result<Prepared, Failure> {
+    pub fn prepare(&self, patch: &Patch, solving: &Solving, points: Option<&str>) -> Result<Patched, Failure> {
         let start = Instant::now();
-        let domain = patch.domain.evaluate(&self.problem, &self.bindings).map_err(|finding| self.fault(finding))?;
         let decomposition = self.decompose(patch)?;
         let decompose_seconds = start.elapsed().as_secs_f64();
         let start = Instant::now();
-        let request = &patch.solve;
-        let method = match solving.method.as_deref() {
-            Some(name) => method::choose(Some(name), None, &decomposition).map_err(|finding| match finding.span {
-                Some(_) => self.fault(finding),
-                None => option_finding("method", name, finding),
-            })?,
-            None => method::choose(request.method.as_deref(), request.origin, &decomposition)
-                .map_err(|finding| self.fault(finding))?,
-        };
-        let stated = Settings::read(&request.settings).map_err(|finding| self.fault(finding))?;
-        let settings = solving.settings(stated, points)?;
-        let options = Options { settings, backend: Backend::Auto, limits: self.limits.clone() };
-        let solver = method.prepare(&decomposition, &options).map_err(|finding| {
-            match (finding.span, points, &solving.terms) {
-                (None, Some(points), _) => option_finding("points", points, finding),
-                (None, None, Some(terms)) => option_finding("terms", terms, finding),
+        let settings = solving.settings(points)?;
+        let method = solving.method.clone();
+        let options = Options { method, settings, backend: Backend::Auto, limits: self.limits.clone() };
+        let prepared = Prepared::new(&self.problem, &self.bindings, decomposition, &options);
+        // A finding without a place is about an option.
+        let prepared = prepared.map_err(|finding| {
+            match (finding.span, finding.code, &solving.method, points, &solving.terms) {
+                (None, Code::UnknownSetting | Code::UnsupportedByMethod, Some(method), ..) => {
+                    option_finding("method", method, finding)
+                }
+                (None, _, _, Some(points), _) => option_finding("points", points, finding),
+                (None, _, _, None, Some(terms)) => option_finding("terms", terms, finding),
                 _ => self.fault(finding),
             }
         })?;
-        let compile_seconds = start.elapsed().as_secs_f64();
-        Ok(Prepared { patch: patch.clone(), decomposition, domain, solver, decompose_seconds, compile_seconds })
+        Ok(Patched { prepared, decompose_seconds, compile_seconds: start.elapsed().as_secs_f64() })
     }
 
     /// Solves a patch at `time`.
-    pub fn solve(&self, prepared: &Prepared, time: f64) -> Result<Solved, Failure> {
+    pub fn solve(&self, patched: &Patched, time: f64) -> Result<Solved, Failure> {
         let start = Instant::now();
-        let ranges = [prepared.domain.u, prepared.domain.v];
-        let solution =
-            prepared.solver.solve(self.bindings.as_slice(), ranges, time).map_err(|finding| self.fault(finding))?;
+        let solution = patched.prepared.solve(&self.bindings, time).map_err(|finding| self.fault(finding))?;
         Ok(Solved { solution, time, solve_seconds: start.elapsed().as_secs_f64() })
     }
 
     /// Measures a solution.
-    pub fn verify(&self, prepared: &Prepared, solved: &Solved) -> Result<Verification, Failure> {
-        let surface = Arc::clone(&solved.solution.surface);
-        verify(&self.problem, &prepared.patch, &*surface, (&self.bindings, &prepared.domain, solved.time))
-            .map_err(|finding| self.fault(finding))
+    pub fn verify(&self, patched: &Patched, solved: &Solved) -> Result<Verification, Failure> {
+        let measured = patched.prepared.verify(&self.problem, &self.bindings, &solved.solution, solved.time);
+        measured.map_err(|finding| self.fault(finding))
     }
 }
 
-impl Prepared {
+impl Patched {
     /// The instant the user asked for, which must lie in the time domain, or the domain's start.
     pub fn instant(&self, time: Option<f64>) -> Result<f64, Failure> {
-        let [start, end] = self.domain.t;
+        let [start, end] = self.prepared.domain.t;
         match time {
             None => Ok(start),
             Some(time) if (start..=end).contains(&time) => Ok(time),

@@ -1,0 +1,157 @@
+//! The whole pipeline in one value, for embedding: text in, solved surfaces out.
+//!
+//! A [`Blend`] is compiled once. Changing a parameter ([`Blend::set`]) changes numbers only: nothing is parsed,
+//! decomposed or compiled again. The library prints nothing, spawns nothing and reads no files.
+
+use crate::decompose::{Decomposition, decompose};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source};
+use crate::expr::canonical_name;
+use crate::method::{self, Options, Settings, Solution, Solver};
+use crate::problem::{Bindings, DomainValues, Patch, Problem};
+use crate::resolve::{resolve, set_parameter};
+use crate::syntax;
+use crate::verify::{Verification, verify};
+
+/// A compiled document with its current parameter values.
+pub struct Blend {
+    /// The problem, symbolically.
+    pub problem: Problem,
+    /// The current value of every parameter.
+    pub bindings: Bindings,
+    /// Its patches, in source order.
+    pub patches: Vec<Prepared>,
+    options: Options,
+}
+
+/// A patch that is ready to be solved, for any parameters and at any instant.
+pub struct Prepared {
+    /// The patch's decomposition, which holds the patch itself.
+    pub decomposition: Decomposition,
+    /// Ranges of u, v and t for the current parameters.
+    pub domain: DomainValues,
+    solver: Box<dyn Solver>,
+}
+
+impl Blend {
+    /// Compiles a document; its single patch, if it names none, is called `name`.
+    ///
+    /// # Errors
+    /// Everything found wrong with the text, or the first thing wrong with the problem.
+    pub fn compile(source: &Source, options: &Options) -> Result<Blend, Diagnostics> {
+        let document = syntax::parse(source, &options.limits)?;
+        let name = source.name.trim_end_matches(".trim");
+        Blend::new(resolve(&document, name, &options.limits)?, options).map_err(|finding| vec![finding])
+    }
+
+    /// Compiles a problem, for example one that was built without any text.
+    ///
+    /// # Errors
+    /// The first thing wrong with the problem.
+    pub fn new(problem: Problem, options: &Options) -> Result<Blend, Diagnostic> {
+        let bindings = Bindings::evaluate(&problem)?;
+        let mut patches = Vec::with_capacity(problem.patches.len());
+        for patch in &problem.patches {
+            let decomposition = decompose(&problem, patch, &options.limits)?;
+            patches.push(Prepared::new(&problem, &bindings, decomposition, options)?);
+        }
+        Ok(Blend { problem, bindings, patches, options: options.clone() })
+    }
+
+    /// Gives a parameter or coefficient a new value, an expression in earlier parameters such as `2*a` or `-3`.
+    ///
+    /// # Errors
+    /// As [`set_parameter`], or a value that leaves no valid problem; the blend is then as it was.
+    pub fn set(&mut self, name: &str, value: &str) -> Result<(), Diagnostics> {
+        let mut problem = self.problem.clone();
+        let source = Source::new(canonical_name(name), value);
+        set_parameter(&mut problem, name, &source, &self.options.limits)?;
+        let bindings = Bindings::evaluate(&problem).map_err(|finding| vec![finding])?;
+        let domains: Vec<DomainValues> = self
+            .patches
+            .iter()
+            .map(|prepared| prepared.patch().domain.evaluate(&problem, &bindings))
+            .collect::<Result<_, _>>()
+            .map_err(|finding| vec![finding])?;
+        for (prepared, domain) in self.patches.iter_mut().zip(domains) {
+            prepared.domain = domain;
+        }
+        (self.problem, self.bindings) = (problem, bindings);
+        Ok(())
+    }
+
+    /// Solves patch number `index` at instant `t`.
+    ///
+    /// # Errors
+    /// [`Code::SettingOutOfRange`] if there is no such patch; otherwise as [`Solver::solve`].
+    pub fn solve(&self, index: usize, t: f64) -> Result<Solution, Diagnostic> {
+        self.patch(index)?.solve(&self.bindings, t)
+    }
+
+    /// Measures a solution of patch number `index` at instant `t` against the problem.
+    ///
+    /// # Errors
+    /// As [`verify`].
+    pub fn verify(&self, index: usize, solution: &Solution, t: f64) -> Result<Verification, Diagnostic> {
+        let prepared = self.patch(index)?;
+        prepared.verify(&self.problem, &self.bindings, solution, t)
+    }
+
+    fn patch(&self, index: usize) -> Result<&Prepared, Diagnostic> {
+        self.patches.get(index).ok_or_else(|| {
+            let message = format!("there is no patch number {index}; the document has {}", self.patches.len());
+            Diagnostic::new(Code::SettingOutOfRange, message)
+        })
+    }
+}
+
+impl Prepared {
+    /// Chooses the method and compiles; settings in `options` stand above those of the document.
+    ///
+    /// # Errors
+    /// A domain without extent, an unknown method or setting, a problem the method cannot treat, a limit.
+    /// Findings about `options` have no place.
+    pub fn new(
+        problem: &Problem,
+        bindings: &Bindings,
+        decomposition: Decomposition,
+        options: &Options,
+    ) -> Result<Prepared, Diagnostic> {
+        let domain = decomposition.patch.domain.evaluate(problem, bindings)?;
+        let request = &decomposition.patch.solve;
+        let settings = options.settings.clone().over(Settings::read(&request.settings)?);
+        let method = match options.method.as_deref() {
+            Some(name) => method::choose(Some(name), None, &decomposition)?,
+            None => method::choose(request.method.as_deref(), request.origin, &decomposition)?,
+        };
+        let solver = method.prepare(&decomposition, &Options { settings, ..options.clone() })?;
+        Ok(Prepared { decomposition, domain, solver })
+    }
+
+    /// The patch.
+    #[must_use]
+    pub fn patch(&self) -> &Patch {
+        &self.decomposition.patch
+    }
+
+    /// Solves at instant `t`.
+    ///
+    /// # Errors
+    /// As [`Solver::solve`].
+    pub fn solve(&self, bindings: &Bindings, t: f64) -> Result<Solution, Diagnostic> {
+        self.solver.solve(bindings.as_slice(), [self.domain.u, self.domain.v], t)
+    }
+
+    /// Measures a solution at instant `t` against the problem.
+    ///
+    /// # Errors
+    /// As [`verify`].
+    pub fn verify(
+        &self,
+        problem: &Problem,
+        bindings: &Bindings,
+        solution: &Solution,
+        t: f64,
+    ) -> Result<Verification, Diagnostic> {
+        verify(problem, self.patch(), &*solution.surface, (bindings, &self.domain, t))
+    }
+}
