@@ -50,3 +50,8 @@ pub mod syntax;
 pub mod tessellate;
 pub mod trial;
 pub mod verify;
+
+/// The README's example runs as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct Readme;
