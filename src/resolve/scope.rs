@@ -101,6 +101,13 @@ impl Scope {
         if let Some(product) = self.as_product(text) {
             return finding.hint(format!("did you mean `{product}`? Factors need a space or `*` between them"));
         }
+        // `kv` without a param k: a product with a coordinate is still the likeliest meaning.
+        let coordinate =
+            Variable::ALL.iter().find_map(|variable| text.strip_suffix(variable.name()).map(|rest| (rest, variable)));
+        if let Some((factor, variable)) = coordinate.filter(|(factor, _)| factor.chars().count() == 1) {
+            let variable = variable.name();
+            return finding.hint(format!("did you mean `{factor}*{variable}`? Then declare it: `param {factor} = …`"));
+        }
         match self.closest(text) {
             Some(near) => finding.hint(format!("did you mean `{near}`?")),
             None => finding.hint(format!("declare it: `param {text} = …`")),

@@ -4,6 +4,9 @@
 #![allow(clippy::indexing_slicing)]
 
 mod analytic;
+#[cfg(feature = "cli")]
+mod cli;
+mod documents;
 mod evaluators;
 mod exports;
 mod meshes;

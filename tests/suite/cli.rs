@@ -1,0 +1,342 @@
+//! The command as its users run it: results, exit statuses, and what it leaves behind.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+use serde_json::Value;
+
+/// A folder that goes away with the test.
+struct Folder(tempfile::TempDir);
+
+impl Folder {
+    fn new() -> Folder {
+        Folder(tempfile::tempdir().expect("a temporary folder can be made"))
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    fn spec(&self, text: impl AsRef<[u8]>) -> String {
+        let path = self.path("spec.trim");
+        std::fs::write(&path, text).expect("the folder can be written");
+        path.to_string_lossy().into_owned()
+    }
+
+    fn files(&self) -> Vec<String> {
+        let entries = std::fs::read_dir(self.0.path()).expect("the folder can be read");
+        let mut names: Vec<String> =
+            entries.map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned()).collect();
+        names.sort();
+        names
+    }
+}
+
+fn trimline(arguments: &[&str]) -> Output {
+    trimline_reading("", arguments)
+}
+
+fn trimline_reading(input: &str, arguments: &[&str]) -> Output {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_trimline"))
+        .args(arguments)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the command starts");
+    // A command that fails early does not read its input.
+    let _ = child.stdin.take().expect("piped").write_all(input.as_bytes());
+    child.wait_with_output().expect("the command ends")
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+fn status(output: &Output) -> i32 {
+    output.status.code().expect("the command was not killed")
+}
+
+fn done(output: &Output) -> String {
+    assert_eq!(status(output), 0, "{}", text(&output.stderr));
+    text(&output.stdout)
+}
+
+fn example(name: &str) -> String {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("examples").join(name).to_string_lossy().into_owned()
+}
+
+const COMPLETE: &str = "at u = 0: S = [cos v, sin v, 1], ∂S/∂u = [0, 0, -1]\n\
+                        at u = 1: S = [2 cos v, 2 sin v, 0], ∂S/∂u = [cos v, sin v, 0]\n";
+
+#[test]
+fn bad_input_has_its_status_and_leaves_nothing() {
+    let complete = COMPLETE;
+    let cases: &[(&str, Vec<u8>, i32, &str)] = &[
+        ("unknown name", b"at u = 0: S_x = kv".to_vec(), 1, "did you mean"),
+        ("u in boundary data", b"at u = 0: S_x = sinh(v + u)".to_vec(), 1, "depends on `u`"),
+        ("twice", format!("{complete}at u = 1: S_y = 0").into_bytes(), 1, "given twice"),
+        ("missing", complete.replace("S = [2 cos v, 2 sin v, 0]", "S_x = 1, S_z = 0").into_bytes(), 1, "S_y at u = 1"),
+        ("wrong number", b"at u = 0: S = [1, 2, 3]".to_vec(), 1, "needs 4"),
+        ("not linear", format!("pde S*S = 0\n{complete}").into_bytes(), 1, "not linear"),
+        ("brackets", b"at u = 0: S_x = (1 + v".to_vec(), 1, "never closed"),
+        ("infinite param", format!("param b1 = 1, x = 1/(b1-b1)\n{complete}").into_bytes(), 1, "infinity"),
+        ("NaN param", format!("param x = log(-1)\n{complete}").into_bytes(), 1, "NaN"),
+        (
+            "pole",
+            complete.replace("cos v, sin v, 1", "1/v, sin v, 1").into_bytes(),
+            1,
+            "`1/v` (basis function F1) is inf at v = 0",
+        ),
+        ("empty domain", format!("domain v in [1, 1]\n{complete}").into_bytes(), 1, "is empty"),
+        ("empty file", Vec::new(), 1, "states nothing"),
+        ("not UTF-8", b"param a = \xff".to_vec(), 1, "not UTF-8"),
+        ("deep", format!("at u = 0: S_x = {}1{}", "(".repeat(10_000), ")".repeat(10_000)).into_bytes(), 4, "`nesting`"),
+        ("large", vec![b'#'; 2 << 20], 4, "`source-bytes`"),
+        ("explosion", complete.replace("sin v, 1]", "(1+v+t)^200, 1]").into_bytes(), 4, "`monomials`"),
+        ("no terms", format!("{complete}solve sine, terms = 0").into_bytes(), 1, "terms is 0"),
+        ("no grid", format!("{complete}solve sine, points = 0 x 5").into_bytes(), 1, "no points"),
+        ("large grid", format!("{complete}solve sine, points = 100000 x 100000").into_bytes(), 4, "`samples`"),
+    ];
+    for (name, spec, expected, fragment) in cases {
+        let folder = Folder::new();
+        let spec = folder.spec(spec);
+        let target = folder.path("out.obj").to_string_lossy().into_owned();
+        let output = trimline(&["mesh", &spec, "-o", &target]);
+        let errors = text(&output.stderr);
+        assert_eq!(status(&output), *expected, "{name}: {errors}");
+        assert!(errors.contains(fragment), "{name}: {errors}");
+        assert!(errors.contains("spec.trim:") || *name == "large", "{name} has no place: {errors}");
+        assert!(output.stdout.is_empty(), "{name}");
+        assert_eq!(folder.files(), ["spec.trim"], "{name}");
+    }
+}
+
+#[test]
+fn bad_options_have_their_status_and_leave_nothing() {
+    let cases: &[(&[&str], i32, &str)] = &[
+        (&["--grid", "0x5"], 1, "no quads"),
+        (&["--grid", "100000x100000"], 4, "samples"),
+        (&["--grid", "many"], 2, "not a grid"),
+        (&["--terms", "0"], 1, "--terms"),
+        (&["--points", "0x5"], 1, "no points"),
+        (&["--method", "magic"], 1, "no method"),
+        (&["--set", "q=1"], 1, "no param"),
+        (&["--set", "gamma=1/0"], 1, "infinity"),
+        (&["--set", "gamma"], 2, "NAME=EXPR"),
+        (&["--patch", "other"], 2, "no patch"),
+        (&["--time", "7"], 1, "outside"),
+        (&["--frames", "0"], 1, "frames"),
+        (&["--limits", "nesting=0"], 4, "nesting"),
+        (&["--limits", "size=3"], 2, "no limit"),
+        (&["--what"], 2, "--what"),
+    ];
+    for (options, expected, fragment) in cases {
+        let folder = Folder::new();
+        let spec = folder.spec(COMPLETE);
+        let target = folder.path("out.obj").to_string_lossy().into_owned();
+        let mut arguments = vec!["mesh", &spec, "-o", &target];
+        arguments.extend(*options);
+        let output = trimline(&arguments);
+        let errors = text(&output.stderr);
+        assert_eq!(status(&output), *expected, "{options:?}: {errors}");
+        assert!(errors.contains(fragment), "{options:?}: {errors}");
+        assert!(output.stdout.is_empty(), "{options:?}");
+        assert_eq!(folder.files(), ["spec.trim"], "{options:?}");
+    }
+}
+
+#[test]
+fn a_missing_spec_is_wrong_usage() {
+    let output = trimline(&["check", "no-such-file.trim"]);
+    assert_eq!(status(&output), 2);
+    assert!(text(&output.stderr).contains("no-such-file.trim"));
+}
+
+#[test]
+fn an_unwritable_target_is_the_machines_fault() {
+    let folder = Folder::new();
+    let target = folder.path("no-such-folder/out.obj").to_string_lossy().into_owned();
+    assert_eq!(status(&trimline(&["mesh", &folder.spec(COMPLETE), "-o", &target])), 5);
+}
+
+#[test]
+fn an_existing_file_is_kept_when_the_command_fails() {
+    let folder = Folder::new();
+    let target = folder.path("out.obj");
+    std::fs::write(&target, "precious").expect("the folder can be written");
+    let spec = folder.spec("at u = 0: S_x = 1");
+    assert_eq!(status(&trimline(&["mesh", &spec, "-o", &target.to_string_lossy()])), 1);
+    assert_eq!(std::fs::read_to_string(&target).expect("still there"), "precious");
+}
+
+#[test]
+fn colours_appear_only_when_asked_for() {
+    let folder = Folder::new();
+    let spec = folder.spec("at u = 0: S_x = kv");
+    assert!(!text(&trimline(&["check", &spec]).stderr).contains('\u{1b}'));
+    assert!(text(&trimline(&["check", &spec, "--color", "always"]).stderr).contains('\u{1b}'));
+}
+
+#[test]
+fn points_evaluate_at_the_constraints_themselves_on_the_boundary() {
+    let output = trimline_reading(
+        "name,u,v,t\na,0,0,0.1\nb,1,0,0.2\n",
+        &["eval", &example("eq19.trim"), "--points", "-", "--derivatives", "u,vv"],
+    );
+    let csv = done(&output);
+    let mut lines = csv.lines();
+    assert_eq!(lines.next(), Some("name,u,v,t,x,y,z,x_u,y_u,z_u,x_vv,y_vv,z_vv"));
+    let row: Vec<&str> = lines.next().expect("the first row").split(',').collect();
+    assert_eq!(row[..4], ["a", "0", "0", "0.1"]);
+    let values: Vec<f64> = row[4..].iter().map(|value| value.parse().expect("a number")).collect();
+    let y = (-0.1_f64).exp();
+    for (value, expected) in values.iter().zip([0.0, y, 2.0, 0.0, 0.0, -3.0, 0.0, -y, 0.0]) {
+        // One exponential and one product.
+        assert!((value - expected).abs() <= 4.0 * f64::EPSILON, "{csv}");
+    }
+    assert_eq!(lines.count(), 1);
+}
+
+#[test]
+fn a_grid_beside_the_file_of_points_sets_the_collocation() {
+    let run = |options: &[&str]| {
+        let spec = example("eq19.trim");
+        let mut arguments = vec!["eval", &spec, "--points", "-"];
+        arguments.extend(options);
+        done(&trimline_reading("u,v\n0.5,1\n", &arguments))
+    };
+    assert_eq!(run(&[]), run(&["--points", "11x11"]));
+    assert_ne!(run(&[]), run(&["--points", "11x11:ends"]));
+}
+
+#[test]
+fn bad_points_name_line_and_column() {
+    let spec = example("eq19.trim");
+    let cases = [
+        ("u\n0.5\n", "no column `v`"),
+        ("u,v\n0.5,one\n", "line 2: `one` in column `v`"),
+        ("u,v\n0.5,1\n1.5,1\n", "line 3: u = 1.5 lies outside"),
+        ("u,v,u\n0,0,0\n", "`u` occurs twice"),
+        ("u,v\n0.5\n", "line"),
+        ("u,v\n0.5,NaN\n", "outside"),
+        ("", "no column"),
+    ];
+    for (points, fragment) in cases {
+        let output = trimline_reading(points, &["eval", &spec, "--points", "-"]);
+        let errors = text(&output.stderr);
+        assert_eq!(status(&output), 1, "{points:?}: {errors}");
+        assert!(errors.contains(fragment), "{points:?}: {errors}");
+        assert!(output.stdout.is_empty());
+    }
+}
+
+#[test]
+fn the_spec_may_come_from_standard_input() {
+    let from_file = done(&trimline(&["basis", &example("eq6.trim")]));
+    let spec = std::fs::read_to_string(example("eq6.trim")).expect("the example exists");
+    let from_input = done(&trimline_reading(&spec, &["basis", "-"]));
+    assert_eq!(from_file.replace("`eq6`", "`standard input`"), from_input);
+}
+
+#[test]
+fn json_has_the_keys_scripts_rely_on() {
+    let json = |command: &str| -> Value {
+        let output = done(&trimline(&[command, &example("eq19.trim"), "--format", "json"]));
+        serde_json::from_str(&output).expect("valid JSON")
+    };
+    let basis = json("basis");
+    let patch = &basis["patches"][0];
+    assert_eq!(patch["name"], "eq19");
+    assert_eq!(patch["basis"].as_array().map(Vec::len), Some(5));
+    assert_eq!(patch["basis"][0]["derivatives"]["vv"], "-exp(t)*sin(v)");
+    assert_eq!(patch["conditions"][0]["symbol"], "b");
+    assert_eq!(patch["conditions"][0]["values"][0], serde_json::json!([1.6, 0.0, 0.0]));
+    let solve = json("solve");
+    let patch = &solve["patches"][0];
+    for key in
+        ["method", "exact", "basis_size", "closure_size", "modes", "amplification", "condition", "rank", "warnings"]
+    {
+        assert!(patch.get(key).is_some(), "{key}");
+    }
+    assert!(patch["boundary_error"].as_f64().expect("a number") <= 1e-12);
+    assert!(patch["seconds"]["solve"].as_f64().expect("a number") >= 0.0);
+    let check = json("check");
+    assert_eq!(check["passed"], true);
+    assert_eq!(check["patches"][0]["boundaries"].as_array().map(Vec::len), Some(4));
+}
+
+#[test]
+fn a_gap_above_the_allowed_one_fails_the_check() {
+    let output = trimline(&["check", &example("eq19.trim"), "--max-gap", "0"]);
+    assert_eq!(status(&output), 1);
+    assert!(text(&output.stdout).contains("not passed"));
+    assert_eq!(status(&trimline(&["check", &example("eq19.trim"), "--max-gap", "1e-12"])), 0);
+}
+
+#[test]
+fn frames_are_numbered_files_over_the_time_domain() {
+    let folder = Folder::new();
+    let target = folder.path("out.obj").to_string_lossy().into_owned();
+    done(&trimline(&["mesh", &example("eq19.trim"), "-o", &target, "--frames", "3", "--grid", "4x8"]));
+    assert_eq!(folder.files(), ["out.0000.obj", "out.0001.obj", "out.0002.obj"]);
+    let last = std::fs::read_to_string(folder.path("out.0002.obj")).expect("written");
+    assert!(last.lines().next().expect("a comment").contains("t = 0.3"), "{last}");
+    // Closed in v: 5 rows of 8 vertices, not of 9.
+    assert_eq!(last.lines().filter(|line| line.starts_with("v ")).count(), 40);
+    assert_eq!(last.lines().filter(|line| line.starts_with("f ")).count(), 32);
+}
+
+#[test]
+fn every_example_meshes_in_every_format_and_repeats_byte_for_byte() {
+    for name in ["eq6.trim", "eq19.trim", "eq29_30.trim", "eq31_32.trim"] {
+        for extension in ["obj", "ply", "stl"] {
+            let folder = Folder::new();
+            let mut bytes = Vec::new();
+            for copy in ["a", "b"] {
+                let target = folder.path(&format!("{copy}.{extension}"));
+                done(&trimline(&["mesh", &example(name), "-o", &target.to_string_lossy(), "--grid", "6x10"]));
+                bytes.push(std::fs::read(target).expect("written"));
+            }
+            assert!(!bytes[0].is_empty());
+            assert_eq!(bytes[0], bytes[1], "{name} {extension}");
+        }
+    }
+}
+
+#[test]
+fn a_set_coefficient_changes_the_surface_and_a_set_param_its_boundary() {
+    let x = |options: &[&str]| {
+        let spec = example("eq19.trim");
+        let mut arguments = vec!["eval", &spec, "--points", "-"];
+        arguments.extend(options);
+        let csv = done(&trimline_reading("u,v\n0,1\n0.5,1\n", &arguments));
+        let column = |line: &str| line.split(',').nth(2).expect("x").to_owned();
+        csv.lines().skip(1).map(column).collect::<Vec<String>>()
+    };
+    let (plain, coefficient, param) = (x(&[]), x(&["--set", "γ=20"]), x(&["--set", "a=2*0.9"]));
+    assert_eq!(plain[0], coefficient[0]);
+    assert_ne!(plain[1], coefficient[1]);
+    assert_eq!(param[0].parse::<f64>().expect("a number"), 1.8 * 1.0_f64.sin());
+}
+
+#[test]
+fn quiet_says_nothing_on_success() {
+    let output = trimline(&["solve", &example("eq19.trim"), "--quiet"]);
+    done(&output);
+    assert!(output.stderr.is_empty());
+}
+
+#[test]
+fn a_reader_that_goes_away_is_no_panic() {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_trimline"))
+        .args(["solve", &example("eq29_30.trim"), "--format", "json"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the command starts");
+    drop(child.stdout.take());
+    let output = child.wait_with_output().expect("the command ends");
+    assert!(!text(&output.stderr).contains("panicked"), "{}", text(&output.stderr));
+}
