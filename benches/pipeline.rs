@@ -1,6 +1,7 @@
 //! Times of every stage from the text of Eqs. (29)-(30) to a first evaluated point, and of all together.
 //!
 //! `cargo bench --bench pipeline`
+#![allow(missing_docs)]
 
 use std::hint::black_box;
 
@@ -26,7 +27,7 @@ fn first_point(source: &Source) -> Result<[f64; 3], Diagnostics> {
     let solution = blend.solve(0, 0.5).map_err(one)?;
     let mut point = [[0.0; 3]];
     solution.surface.evaluate(Derivative::NONE, &[[0.5, 1.0, 0.5]], &mut point).map_err(one)?;
-    Ok(point[0])
+    Ok(point.into_iter().next().unwrap_or_default())
 }
 
 fn stages(criterion: &mut Criterion) {
@@ -38,7 +39,7 @@ fn stages(criterion: &mut Criterion) {
 
     group.bench_function("resolve", |b| b.iter(|| resolve(black_box(&document), "eq29_30", &limits)));
     let problem = resolve(&document, "eq29_30", &limits).expect("the example resolves");
-    let patch = &problem.patches[0];
+    let patch = problem.patches.first().expect("the example has a patch");
 
     group.bench_function("decompose", |b| b.iter(|| decompose(black_box(&problem), patch, &limits)));
     let decomposition = decompose(&problem, patch, &limits).expect("the example decomposes");
