@@ -63,7 +63,7 @@ pub fn decompose(problem: &Problem, patch: &Patch, limits: &Limits) -> Result<De
         else {
             continue;
         };
-        let monomials = expand::expand(&mut graph, value, limits).map_err(|finding| placed(finding, origin))?;
+        let monomials = expand::expand(&mut graph, value, limits).map_err(|finding| finding.at(origin))?;
         for (function, coefficient) in monomials {
             let empty = || (origin, vec![[zero; 3]; patch.conditions.len()]);
             let (_, coefficients) = rows.entry(function).or_insert_with(empty);
@@ -74,7 +74,7 @@ pub fn decompose(problem: &Problem, patch: &Patch, limits: &Limits) -> Result<De
                 let limit = limits.basis_functions;
                 let message =
                     format!("the boundary data need more basis functions than the limit `basis-functions` of {limit}");
-                return Err(placed(Diagnostic::new(Code::LimitReached, message), origin));
+                return Err(Diagnostic::new(Code::LimitReached, message).at(origin));
             }
         }
     }
@@ -110,7 +110,7 @@ fn in_source_order(patch: &Patch) -> Vec<(usize, usize)> {
 pub(crate) fn not_differentiable(fault: NotDifferentiable, orders: Derivative, origin: Option<Span>) -> Diagnostic {
     let name = fault.function.row().name;
     let message = format!("`{name}` has no derivative, and its derivative `{orders}` is needed");
-    placed(Diagnostic::new(Code::NotDifferentiable, message), origin).hint("use a smooth function in its place")
+    Diagnostic::new(Code::NotDifferentiable, message).at(origin).hint("use a smooth function in its place")
 }
 
 fn check_size(graph: &Graph, limits: &Limits, origin: Option<Span>) -> Result<(), Diagnostic> {
@@ -119,12 +119,5 @@ fn check_size(graph: &Graph, limits: &Limits, origin: Option<Span>) -> Result<()
     }
     let message =
         format!("the derivatives have more distinct parts than the limit `graph-nodes` of {}", limits.graph_nodes);
-    Err(placed(Diagnostic::new(Code::LimitReached, message), origin))
-}
-
-fn placed(finding: Diagnostic, origin: Option<Span>) -> Diagnostic {
-    match (finding.span, origin) {
-        (None, Some(span)) => finding.at(span),
-        _ => finding,
-    }
+    Err(Diagnostic::new(Code::LimitReached, message).at(origin))
 }

@@ -57,10 +57,10 @@ impl Diagnostic {
         }
     }
 
-    /// The finding, placed at `span`.
+    /// The finding, placed at `span`; `None` leaves it where it is.
     #[must_use]
-    pub fn at(mut self, span: Span) -> Self {
-        self.span = Some(span);
+    pub fn at(mut self, span: impl Into<Option<Span>>) -> Self {
+        self.span = span.into().or(self.span);
         self
     }
 

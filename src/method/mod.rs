@@ -109,21 +109,17 @@ pub fn choose(
     origin: Option<Span>,
     decomposition: &Decomposition,
 ) -> Result<&'static dyn Method, Diagnostic> {
-    let placed = |finding: Diagnostic| match origin {
-        Some(span) => finding.at(span),
-        None => finding,
-    };
     match name {
         Some(name) if name != AUTO => {
             let Some(method) = METHODS.iter().find(|method| method.name() == name) else {
                 let known: Vec<&str> =
                     std::iter::once(AUTO).chain(METHODS.iter().map(|method| method.name())).collect();
                 let finding = Diagnostic::new(Code::UnknownSetting, format!("there is no method `{name}`"));
-                return Err(placed(finding).hint(format!("methods: {}", known.join(", "))));
+                return Err(finding.at(origin).hint(format!("methods: {}", known.join(", "))));
             };
             method
                 .accepts(decomposition)
-                .map_err(|finding| if finding.span.is_none() { placed(finding) } else { finding })?;
+                .map_err(|finding| if finding.span.is_none() { finding.at(origin) } else { finding })?;
             Ok(*method)
         }
         _ => {

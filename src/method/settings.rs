@@ -64,7 +64,7 @@ impl Settings {
         for (index, setting) in requested.iter().enumerate() {
             if requested.iter().take(index).any(|earlier| earlier.key == setting.key) {
                 let message = format!("the setting `{}` is given twice", setting.key);
-                return Err(placed(Diagnostic::new(Code::DuplicateStatement, message), setting.origin));
+                return Err(Diagnostic::new(Code::DuplicateStatement, message).at(setting.origin));
             }
             settings.set(&setting.key, &setting.value, setting.origin)?;
         }
@@ -77,13 +77,13 @@ impl Settings {
     /// [`Code::UnknownSetting`].
     pub fn set(&mut self, key: &str, value: &str, origin: Option<Span>) -> Result<(), Diagnostic> {
         match key {
-            "terms" => self.terms = Some((read_count(value).map_err(|finding| placed(finding, origin))?, origin)),
-            "points" => self.points = Some((Size::read(value).map_err(|finding| placed(finding, origin))?, origin)),
+            "terms" => self.terms = Some((read_count(value).map_err(|finding| finding.at(origin))?, origin)),
+            "points" => self.points = Some((Size::read(value).map_err(|finding| finding.at(origin))?, origin)),
             _ => {
                 let finding = Diagnostic::new(Code::UnknownSetting, format!("there is no setting `{key}`"));
-                return Err(
-                    placed(finding, origin).hint("settings: terms = K, points = L x M [: midpoints | ends | gauss]")
-                );
+                return Err(finding
+                    .at(origin)
+                    .hint("settings: terms = K, points = L x M [: midpoints | ends | gauss]"));
             }
         }
         Ok(())
@@ -94,11 +94,4 @@ fn read_count(text: &str) -> Result<usize, Diagnostic> {
     text.parse().map_err(|_| {
         Diagnostic::new(Code::UnknownSetting, format!("`{text}` is not a number of terms")).hint("write a whole number")
     })
-}
-
-fn placed(finding: Diagnostic, origin: Option<Span>) -> Diagnostic {
-    match origin {
-        Some(span) => finding.at(span),
-        None => finding,
-    }
 }

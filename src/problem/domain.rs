@@ -56,10 +56,7 @@ impl Domain {
                 } else {
                     finding.hint("the lower end must be below the upper end")
                 };
-                return Err(match origin {
-                    Some(span) => finding.at(span),
-                    None => finding,
-                });
+                return Err(finding.at(origin));
             }
         }
         let [u, v, t] = values;

@@ -59,10 +59,11 @@ impl Bindings {
             let low = bindings.constant(problem, low, parameter.origin, &range)?;
             let high = bindings.constant(problem, high, parameter.origin, &range)?;
             if !parameter.is_overridden && !(low..=high).contains(&value) {
-                return Err(placed(
-                    Diagnostic::new(Code::ParameterOutOfRange, format!("`{name}` is {value}, outside [{low}, {high}]")),
-                    parameter.origin,
+                return Err(Diagnostic::new(
+                    Code::ParameterOutOfRange,
+                    format!("`{name}` is {value}, outside [{low}, {high}]"),
                 )
+                .at(parameter.origin)
                 .hint("widen the range or change the value"));
             }
         }
@@ -91,7 +92,8 @@ impl Bindings {
             return Ok(value);
         }
         let message = format!("{what} evaluates to {}", spelled(value));
-        Err(placed(Diagnostic::new(Code::ParameterNotFinite, message), origin)
+        Err(Diagnostic::new(Code::ParameterNotFinite, message)
+            .at(origin)
             .hint("look for a division by zero, a logarithm or root of a negative number, or an overflow"))
     }
 }
@@ -102,12 +104,5 @@ fn spelled(value: f64) -> &'static str {
         _ if value.is_nan() => "NaN (not a number)",
         _ if value < 0.0 => "-infinity",
         _ => "infinity",
-    }
-}
-
-fn placed(finding: Diagnostic, origin: Option<Span>) -> Diagnostic {
-    match origin {
-        Some(span) => finding.at(span),
-        None => finding,
     }
 }

@@ -170,10 +170,6 @@ fn check_complete(
     range: [f64; 2],
 ) -> Result<(), Diagnostics> {
     let whole = boundaries.last().map(|boundary| lowering.tree.span(boundary.position));
-    let placed = |finding: Diagnostic, span: Option<Span>| match span {
-        Some(span) => finding.at(span),
-        None => finding,
-    };
     if collected.len() != order_in_u {
         let stated: Vec<String> = collected.iter().map(|c| describe_condition(None, c.order, c.position)).collect();
         let stated = if stated.is_empty() { "none".to_owned() } else { stated.join(", ") };
@@ -182,7 +178,7 @@ fn check_complete(
             "an equation of order {order_in_u} in u needs {order_in_u} boundary constraints on S, {count} are stated"
         );
         let mut finding =
-            placed(Diagnostic::new(Code::WrongConstraintCount, message), whole).hint(format!("stated: {stated}"));
+            Diagnostic::new(Code::WrongConstraintCount, message).at(whole).hint(format!("stated: {stated}"));
         if let Some(missing) = usual(order_in_u, range)
             .into_iter()
             .find(|(position, order)| !collected.iter().any(|c| c.position == *position && c.order == *order))
@@ -202,7 +198,7 @@ fn check_complete(
                 let what = describe_condition(Some(component), condition.order, condition.position);
                 let sibling = condition.value.iter().flatten().map(|(_, span)| *span).next();
                 let finding = Diagnostic::new(Code::MissingConstraint, format!("the constraint on {what} is missing"));
-                found.push(placed(finding, sibling.or(whole)).hint("every component needs one, `0` included"));
+                found.push(finding.at(sibling.or(whole)).hint("every component needs one, `0` included"));
             }
         }
     }
@@ -213,7 +209,7 @@ fn check_complete(
     if CardinalPolynomials::new(&functionals).is_none() {
         let finding = Diagnostic::new(Code::DependentConstraints, "these constraints do not determine a surface")
             .hint("constrain S itself at one position at least, and each derivative together with the ones below it");
-        return Err(vec![placed(finding, whole)]);
+        return Err(vec![finding.at(whole)]);
     }
     Ok(())
 }

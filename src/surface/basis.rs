@@ -85,7 +85,7 @@ impl Basis {
                 let function = fault.function.row().name;
                 let message =
                     format!("`{function}` in `{name}` has no derivative, and its derivative `{derivative}` is needed");
-                placed(Diagnostic::new(Code::NotDifferentiable, message), *origin)
+                Diagnostic::new(Code::NotDifferentiable, message).at(*origin)
             })?);
         }
         let (evaluator, _) = compile(Program::compile(graph, &outputs), self.backend);
@@ -107,14 +107,8 @@ impl Basis {
         let at = |at: Option<&f64>| at.copied().unwrap_or(f64::NAN);
         let message =
             format!("{of}`{name}` (basis function F{}) is {value} at v = {}, t = {}", function + 1, at(v), at(t));
-        placed(Diagnostic::new(Code::DataNotFinite, message), origin)
+        Diagnostic::new(Code::DataNotFinite, message)
+            .at(origin)
             .hint("boundary data must be finite on the whole domain; change the function or the domain")
-    }
-}
-
-fn placed(finding: Diagnostic, origin: Option<Span>) -> Diagnostic {
-    match origin {
-        Some(span) => finding.at(span),
-        None => finding,
     }
 }

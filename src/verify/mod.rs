@@ -138,10 +138,7 @@ fn residual(
         let finding =
             Diagnostic::new(Code::SolutionNotFinite, "the residual of the equation is not finite on the domain")
                 .hint("a coefficient or the force has a pole, or the solution overflows");
-        return Err(match patch.operator.origin {
-            Some(span) => finding.at(span),
-            None => finding,
-        });
+        return Err(finding.at(patch.operator.origin));
     }
     Ok((residual, largest))
 }
@@ -169,8 +166,5 @@ fn evaluate(
 fn not_finite(value: Option<f64>, origin: Option<Span>, v: Option<&f64>, t: f64) -> Diagnostic {
     let (value, v) = (value.unwrap_or(f64::NAN), v.copied().unwrap_or(f64::NAN));
     let finding = Diagnostic::new(Code::DataNotFinite, format!("the boundary data are {value} at v = {v}, t = {t}"));
-    match origin {
-        Some(span) => finding.at(span),
-        None => finding,
-    }
+    finding.at(origin)
 }

@@ -45,10 +45,7 @@ impl Method for SineSeries {
         let (graph, operator) = (&decomposition.graph, &decomposition.patch.operator);
         let refuse = |message: &str| {
             let finding = Diagnostic::new(Code::UnsupportedByMethod, message);
-            Err(match operator.origin {
-                Some(span) => finding.at(span),
-                None => finding,
-            })
+            Err(finding.at(operator.origin))
         };
         if !operator.is_homogeneous(graph) {
             return refuse("the method `sine` leaves out the force, so it cannot treat an equation with one");
@@ -88,24 +85,21 @@ impl Method for SineSeries {
 
 /// The number of terms and the grid, checked.
 fn sizes(decomposition: &Decomposition, options: &Options, orders_in_t: usize) -> Result<(usize, Size), Diagnostic> {
-    let placed = |finding: Diagnostic, origin: Option<Span>| match origin {
-        Some(span) => finding.at(span),
-        None => finding,
-    };
     let (terms, terms_origin) = options.settings.terms.unwrap_or((DEFAULT_TERMS, None));
     if terms == 0 {
         let finding = Diagnostic::new(Code::SettingOutOfRange, "the number of terms is 0");
-        return Err(placed(finding, terms_origin).hint("give at least one: `terms = 5`"));
+        return Err(finding.at(terms_origin).hint("give at least one: `terms = 5`"));
     }
     let default = Size { u: terms.saturating_add(1).max(DEFAULT_POINTS), v: DEFAULT_POINTS, kind: NodeKind::default() };
     let (points, points_origin) = options.settings.points.unwrap_or((default, None));
     if points.u == 0 || points.v == 0 {
         let message = format!("the grid {} x {} has no points", points.u, points.v);
-        return Err(placed(Diagnostic::new(Code::SettingOutOfRange, message), points_origin));
+        return Err(Diagnostic::new(Code::SettingOutOfRange, message).at(points_origin));
     }
     if points.u < terms.saturating_add(1) {
         let message = format!("{} points in u do not determine {terms} terms", points.u);
-        return Err(placed(Diagnostic::new(Code::SettingOutOfRange, message), points_origin.or(terms_origin))
+        return Err(Diagnostic::new(Code::SettingOutOfRange, message)
+            .at(points_origin.or(terms_origin))
             .hint(format!("give at least {} points in u", terms.saturating_add(1))));
     }
     let limits = &options.limits;
@@ -122,7 +116,7 @@ fn sizes(decomposition: &Decomposition, options: &Options, orders_in_t: usize) -
                 "{terms} terms on {} x {} points need {size}, above the limit `{name}` of {limit}",
                 points.u, points.v
             );
-            return Err(placed(Diagnostic::new(Code::LimitReached, message), points_origin.or(terms_origin)));
+            return Err(Diagnostic::new(Code::LimitReached, message).at(points_origin.or(terms_origin)));
         }
     }
     Ok((terms, points))
@@ -255,7 +249,7 @@ impl SineSolver {
                 let j = at.saturating_sub(self.orders.len()) / 3 % self.basis.len().max(1);
                 let message =
                     format!("the coefficient of basis function F{} in the boundary data is not finite", j + 1);
-                Err(self.placed(Diagnostic::new(Code::ParameterNotFinite, message), j))
+                Err(Diagnostic::new(Code::ParameterNotFinite, message).at(self.origin(j)))
             }
         }
     }
@@ -272,7 +266,7 @@ impl SineSolver {
         let j = at / per_function.max(1);
         let node = v.get(at % v.len().max(1)).copied().unwrap_or(f64::NAN);
         let message = format!("a derivative of basis function F{} is not finite at v = {node}", j + 1);
-        Err(self.placed(Diagnostic::new(Code::DataNotFinite, message), j))
+        Err(Diagnostic::new(Code::DataNotFinite, message).at(self.origin(j)))
     }
 
     /// Which basis functions are not zero on all nodes, compared with their size between the nodes.
@@ -295,7 +289,8 @@ impl SineSolver {
     fn vanishes(&self, j: usize) -> Diagnostic {
         let message =
             format!("basis function F{} is zero on every collocation point, so nothing determines its terms", j + 1);
-        self.placed(Diagnostic::new(Code::VanishesOnGrid, message), j)
+        Diagnostic::new(Code::VanishesOnGrid, message)
+            .at(self.origin(j))
             .hint("use midpoints, or another number of points in v")
     }
 
@@ -319,7 +314,7 @@ impl SineSolver {
             let right = stated.columns(columns.start, columns.len()).into_owned();
             let fit = collocation.fit(rows, nodes, &right).map_err(|error| {
                 let message = format!("the system of basis function F{} cannot be solved: {error}", j + 1);
-                self.placed(Diagnostic::new(Code::SolutionNotFinite, message), j)
+                Diagnostic::new(Code::SolutionNotFinite, message).at(self.origin(j))
             })?;
             report.condition = report.condition.max(fit.condition);
             report.rank += fit.rank;
@@ -332,7 +327,9 @@ impl SineSolver {
                     j + 1
                 );
                 let finding = Diagnostic::new(Code::RankDeficient, message);
-                report.warnings.push(self.placed(finding, j).hint("use midpoints, more points in u, or fewer terms"));
+                report
+                    .warnings
+                    .push(finding.at(self.origin(j)).hint("use midpoints, more points in u, or fewer terms"));
             }
             for (all, part) in fits.iter_mut().zip(&fit.derivatives) {
                 all.view_mut((self.orders.len(), columns.start), (self.terms, columns.len())).copy_from(part);
@@ -340,7 +337,7 @@ impl SineSolver {
         }
         if fits.iter().any(|fit| fit.iter().any(|value| !value.is_finite())) {
             let message = format!("the fit of basis function F{} is not finite", j + 1);
-            return Err(self.placed(Diagnostic::new(Code::SolutionNotFinite, message), j));
+            return Err(Diagnostic::new(Code::SolutionNotFinite, message).at(self.origin(j)));
         }
         Ok(fits)
     }
@@ -358,11 +355,8 @@ impl SineSolver {
         }
     }
 
-    fn placed(&self, finding: Diagnostic, j: usize) -> Diagnostic {
-        match self.origins.get(j).copied().flatten() {
-            Some(span) => finding.at(span),
-            None => finding,
-        }
+    fn origin(&self, j: usize) -> Option<Span> {
+        self.origins.get(j).copied().flatten()
     }
 }
 
