@@ -36,9 +36,17 @@ impl Files {
             Some(folder) if !folder.as_os_str().is_empty() => folder,
             _ => Path::new("."),
         };
-        let file = tempfile::Builder::new().prefix(".trimline-").permissions_of_new_files().tempfile_in(folder);
-        let file =
-            file.map_err(|error| Failure::Machine(format!("cannot write to `{}`: {error}", folder.display())))?;
+        let mut builder = tempfile::Builder::new();
+        builder.prefix(".trimline-");
+        #[cfg(unix)]
+        {
+            use std::os::unix::fs::PermissionsExt;
+            // Temporary files are private by default; results are ordinary files, under the process's umask.
+            builder.permissions(std::fs::Permissions::from_mode(0o666));
+        }
+        let file = builder
+            .tempfile_in(folder)
+            .map_err(|error| Failure::Machine(format!("cannot write to `{}`: {error}", folder.display())))?;
         self.written.push((file, path.to_owned()));
         match self.written.last_mut() {
             Some((file, _)) => Ok(file),
@@ -53,22 +61,5 @@ impl Files {
                 .map_err(|error| Failure::Machine(format!("cannot write `{}`: {}", path.display(), error.error)))?;
         }
         Ok(())
-    }
-}
-
-/// Temporary files are private by default; results are ordinary files.
-trait Permissions {
-    fn permissions_of_new_files(&mut self) -> &mut Self;
-}
-
-impl Permissions for tempfile::Builder<'_, '_> {
-    fn permissions_of_new_files(&mut self) -> &mut Self {
-        #[cfg(unix)]
-        {
-            use std::os::unix::fs::PermissionsExt;
-            // The process's umask still applies.
-            self.permissions(std::fs::Permissions::from_mode(0o666));
-        }
-        self
     }
 }
