@@ -21,6 +21,8 @@ pub struct Limits {
     pub monomials: usize,
     /// Basis functions of one patch.
     pub basis_functions: usize,
+    /// Functions of the closure of one patch's basis.
+    pub closure: usize,
     /// Order of differentiation in each of u, v and t.
     pub derivative_order: usize,
     /// Unknowns of one linear system.
@@ -43,6 +45,7 @@ impl Default for Limits {
             text_bytes: 1 << 20,
             monomials: 4096,
             basis_functions: 256,
+            closure: 512,
             derivative_order: 8,
             unknowns: 20_000,
             system_entries: 200_000_000,
@@ -54,7 +57,7 @@ impl Default for Limits {
 
 impl Limits {
     /// Every limit with the name it has on the command line (`--limits nesting=64`).
-    pub fn named(&mut self) -> [(&'static str, &mut usize); 12] {
+    pub fn named(&mut self) -> [(&'static str, &mut usize); 13] {
         [
             ("source-bytes", &mut self.source_bytes),
             ("nesting", &mut self.nesting),
@@ -63,6 +66,7 @@ impl Limits {
             ("text-bytes", &mut self.text_bytes),
             ("monomials", &mut self.monomials),
             ("basis-functions", &mut self.basis_functions),
+            ("closure", &mut self.closure),
             ("derivative-order", &mut self.derivative_order),
             ("unknowns", &mut self.unknowns),
             ("system-entries", &mut self.system_entries),

@@ -15,7 +15,7 @@ use crate::limits::Limits;
 /// Coefficients by monomial, in order of first appearance.
 pub type Monomials = IndexMap<ExprId, ExprId, FxBuildHasher>;
 
-/// Expands `expr`, which must not depend on u; monomials whose coefficient is zero are left out.
+/// Expands `expr`; u counts as a constant. Monomials whose coefficient is zero are left out.
 ///
 /// # Errors
 /// [`Code::LimitReached`] without a place, which the caller knows.
@@ -40,7 +40,7 @@ fn expand_node(
     limits: &Limits,
 ) -> Result<Monomials, Diagnostic> {
     let one = graph.integer(1);
-    if graph.dependence(id).is_constant() {
+    if is_coefficient(graph, id) {
         return Ok([(one, id)].into_iter().collect());
     }
     let of = |id: &ExprId| known.get(id).cloned().unwrap_or_default();
@@ -96,10 +96,16 @@ fn expand_node(
     }
 }
 
+/// Whether `expr` belongs to the coefficients. Those of a force may depend on u.
+fn is_coefficient(graph: &Graph, expr: ExprId) -> bool {
+    let dependence = graph.dependence(expr);
+    !dependence.v && !dependence.t
+}
+
 /// `expr` as a number times one monomial; a constant, if it turned out as one.
 fn factor(graph: &mut Graph, expr: ExprId) -> Monomials {
     let one = graph.integer(1);
-    if graph.dependence(expr).is_constant() {
+    if is_coefficient(graph, expr) {
         return [(one, expr)].into_iter().collect();
     }
     let (number, monomial) = graph.split_factor(expr);

@@ -9,8 +9,11 @@
 //! give equal bytes. Absent on purpose: numbers. Parameters stay symbols; see
 //! [`Bindings`](crate::problem::Bindings).
 
+mod closure;
 mod expand;
 mod text;
+
+pub use closure::{Closure, close};
 
 use indexmap::IndexMap;
 use rustc_hash::FxBuildHasher;

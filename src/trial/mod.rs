@@ -4,13 +4,16 @@
 //! trial function is `ζ_k = φ_k - Σ_i ξ_i ℓ_i[φ_k]` (docs/methods.md, T1; the corrected Eq. 12 of You, Ugail
 //! and Zhang 2012). A surface `Σ_i ξ_i c_i + Σ_k ζ_k P_k` then meets its boundary for any P.
 //!
-//! A new family is one file here and one line in [`FAMILIES`].
+//! A new family is one file here and one line in [`families`].
 
+mod legendre;
 mod sine;
 
+pub use legendre::IntegratedLegendre;
 pub use sine::Sine;
 
 use std::fmt::Debug;
+use std::sync::Arc;
 
 use crate::numeric::CardinalPolynomials;
 
@@ -23,13 +26,16 @@ pub trait TrialFamily: Debug + Send + Sync {
     fn derivatives(&self, count: usize, order: usize, u: f64, range: [f64; 2]) -> Vec<f64>;
 }
 
-/// Every family.
-pub const FAMILIES: &[&dyn TrialFamily] = &[&Sine];
+/// Every family, with room for `count` functions in an equation of order `order`.
+#[must_use]
+pub fn families(order: usize, count: usize) -> Vec<Arc<dyn TrialFamily>> {
+    vec![Arc::new(Sine), Arc::new(IntegratedLegendre::new(order, count))]
+}
 
 /// The functions of u that a surface is made of: ξ_1 … ξ_n, then ζ_1 … ζ_K.
 #[derive(Debug, Clone)]
 pub struct CorrectedTrial {
-    family: &'static dyn TrialFamily,
+    family: Arc<dyn TrialFamily>,
     count: usize,
     range: [f64; 2],
     cardinal: CardinalPolynomials,
@@ -43,7 +49,7 @@ impl CorrectedTrial {
     /// `None` if the functionals are dependent.
     #[must_use]
     pub fn new(
-        family: &'static dyn TrialFamily,
+        family: Arc<dyn TrialFamily>,
         count: usize,
         range: [f64; 2],
         functionals: &[(f64, usize)],
@@ -99,7 +105,7 @@ mod tests {
     #[test]
     fn corrected_sines_match_the_corrected_equation_12() {
         let functionals = [(0.0, 0), (0.0, 1), (1.0, 0), (1.0, 1)];
-        let trial = CorrectedTrial::new(&Sine, 5, [0.0, 1.0], &functionals).expect("independent");
+        let trial = CorrectedTrial::new(Arc::new(Sine), 5, [0.0, 1.0], &functionals).expect("independent");
         let u: f64 = 0.37;
         for (k, value) in (1..=5).zip(trial.derivatives(0, u).into_iter().skip(4)) {
             let (k_pi, sign) = (f64::from(k) * PI, if k % 2 == 0 { 1.0 } else { -1.0 });
@@ -112,8 +118,8 @@ mod tests {
     #[test]
     fn corrected_functions_vanish_at_the_boundary_on_any_interval() {
         let functionals = [(-1.0, 0), (-1.0, 1), (-1.0, 2), (2.5, 0), (2.5, 1), (2.5, 2)];
-        for &family in FAMILIES {
-            let trial = CorrectedTrial::new(family, 6, [-1.0, 2.5], &functionals).expect("independent");
+        for family in families(6, 6) {
+            let trial = CorrectedTrial::new(Arc::clone(&family), 6, [-1.0, 2.5], &functionals).expect("independent");
             for (u, order) in functionals {
                 for value in trial.derivatives(order, u).into_iter().skip(6) {
                     // Second derivatives of φ_6 reach (6π/3.5)² < 30, cancelled to rounding.
@@ -126,7 +132,7 @@ mod tests {
     #[test]
     fn derivatives_agree_with_difference_quotients() {
         let functionals = [(0.0, 0), (0.0, 1), (1.0, 0), (1.0, 1)];
-        for &family in FAMILIES {
+        for family in families(4, 4) {
             let trial = CorrectedTrial::new(family, 4, [0.0, 1.0], &functionals).expect("independent");
             let (u, h) = (0.4, 1e-5);
             for order in 0..6_usize {

@@ -195,7 +195,7 @@ impl Solver for SineSolver {
         let constants = self.constants(params)?;
         let (positions, boundary) = constants.split_at_checked(self.orders.len()).unwrap_or_default();
         let functionals: Vec<(f64, usize)> = positions.iter().copied().zip(self.orders.iter().copied()).collect();
-        let modes = CorrectedTrial::new(&Sine, self.terms, range_u, &functionals).ok_or_else(|| {
+        let modes = CorrectedTrial::new(Arc::new(Sine), self.terms, range_u, &functionals).ok_or_else(|| {
             Diagnostic::new(
                 Code::DependentConstraints,
                 "with these parameters the constraints do not determine a surface",
