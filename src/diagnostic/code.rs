@@ -111,6 +111,9 @@ codes! {
     VanishesOnGrid = "E0403", Error, Numerical, "A basis function is zero on every collocation point.";
     SolutionNotFinite = "E0404", Error, Numerical, "The solution is not finite.";
     RankDeficient = "W0405", Warning, Numerical, "Collocation left some coefficients undetermined.";
+    Amplified = "N0406", Note, Numerical, "The equation amplifies its data.";
+    NearlyResonant = "W0407", Warning, Numerical, "The equation is close to resonance.";
+    Resonant = "E0408", Error, Numerical, "The equation is resonant.";
     LimitReached = "E0901", Error, Limit, "A limit was reached.";
     HostUnsupported = "N0902", Note, Host, "The machine lacks something; the work goes on another way.";
     OutputFailed = "E0903", Error, Output, "Writing a result failed.";

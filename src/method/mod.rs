@@ -5,6 +5,7 @@
 //! conformance tests list them from there. A method says why it does not accept a problem. It never measures
 //! its own solution: [`verify`](crate::verify) does.
 
+mod exact;
 mod settings;
 mod sine;
 
@@ -68,10 +69,14 @@ pub struct Report {
     pub is_exact: bool,
     /// The number of basis functions.
     pub basis_size: usize,
+    /// The number of functions of the closure, for methods that solve on it.
+    pub closure_size: Option<usize>,
     /// The number of fitted functions of u.
     pub modes: usize,
-    /// The largest condition of the systems solved.
-    pub condition: f64,
+    /// The largest condition of the systems solved, for methods that fit.
+    pub condition: Option<f64>,
+    /// How much larger solutions can be than those of a definite equation, for exact methods.
+    pub amplification: Option<f64>,
     /// The sum of the ranks of the systems solved.
     pub rank: usize,
     /// The sum of their unknowns; equal to the rank unless something was left undetermined.
@@ -94,7 +99,7 @@ pub struct Options {
 }
 
 /// Every method, in the order in which `auto` tries them.
-pub const METHODS: &[&dyn Method] = &[&sine::SineSeries];
+pub const METHODS: &[&dyn Method] = &[&exact::Exact, &sine::SineSeries];
 
 /// The name that leaves the choice to the program.
 pub const AUTO: &str = "auto";

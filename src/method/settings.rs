@@ -11,6 +11,8 @@ pub struct Settings {
     pub terms: Option<(usize, Option<Span>)>,
     /// The collocation grid.
     pub points: Option<(Size, Option<Span>)>,
+    /// The tolerance of adaptive methods.
+    pub tolerance: Option<(f64, Option<Span>)>,
 }
 
 /// A collocation grid: counts in u and v, and where the nodes lie.
@@ -51,7 +53,11 @@ impl Settings {
     /// These settings, and those of `other` where there are none.
     #[must_use]
     pub fn over(self, other: Settings) -> Settings {
-        Settings { terms: self.terms.or(other.terms), points: self.points.or(other.points) }
+        Settings {
+            terms: self.terms.or(other.terms),
+            points: self.points.or(other.points),
+            tolerance: self.tolerance.or(other.tolerance),
+        }
     }
 
     /// Reads the settings of a `solve` statement; later ones with the same key are an error.
@@ -79,11 +85,17 @@ impl Settings {
         match key {
             "terms" => self.terms = Some((read_count(value).map_err(|finding| finding.at(origin))?, origin)),
             "points" => self.points = Some((Size::read(value).map_err(|finding| finding.at(origin))?, origin)),
+            "tolerance" => {
+                let wrong =
+                    || Diagnostic::new(Code::UnknownSetting, format!("`{value}` is not a tolerance")).at(origin);
+                self.tolerance =
+                    Some((value.parse().map_err(|_| wrong().hint("write a number such as 1e-10"))?, origin));
+            }
             _ => {
                 let finding = Diagnostic::new(Code::UnknownSetting, format!("there is no setting `{key}`"));
                 return Err(finding
                     .at(origin)
-                    .hint("settings: terms = K, points = L x M [: midpoints | ends | gauss]"));
+                    .hint("settings: terms = K, points = L x M [: midpoints | ends | gauss], tolerance = X"));
             }
         }
         Ok(())

@@ -34,7 +34,8 @@ impl Brackets {
                 Vec::new()
             } else {
                 let pair = parser::values(&text, inside.start)?;
-                let mut builder = Builder { tree, brackets: &mut brackets, offset: inside.start };
+                let mut builder =
+                    Builder { tree, brackets: &mut brackets, offset: inside.start, source: &prepared.text };
                 builder.values(pair)?
             };
             brackets.waiting.insert(inside.start, values);

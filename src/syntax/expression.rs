@@ -16,6 +16,8 @@ pub struct Builder<'a> {
     pub brackets: &'a mut Brackets,
     /// Byte offset in the source at which the parsed text begins.
     pub offset: usize,
+    /// The whole text, which the parsed one shows with holes.
+    pub source: &'a str,
 }
 
 impl Builder<'_> {
@@ -23,6 +25,11 @@ impl Builder<'_> {
     pub fn span(&self, pair: &Parsed<'_>) -> Span {
         let span = pair.as_span();
         Span::new(self.offset + span.start(), self.offset + span.start() + span.as_str().trim_end().len())
+    }
+
+    /// The text at a place, brackets filled.
+    fn text(&self, span: Span) -> &str {
+        self.source.get(span.start..span.end).unwrap_or("").trim()
     }
 
     /// Builds a `values` pair.
@@ -75,16 +82,25 @@ impl Builder<'_> {
     }
 
     fn run(&mut self, pair: Parsed<'_>) -> Result<Run, Diagnostic> {
-        let (text, span) = (pair.as_str().trim_end().to_owned(), self.span(&pair));
+        let span = self.span(&pair);
+        let text = self.text(span).to_owned();
         let mut run = Run { factors: Vec::new(), text, span, head: 0, bare_call: None };
         for part in pair.into_inner() {
-            run.bare_call = bare_call_of(&part);
+            run.bare_call = self.bare_call(&part);
             if run.factors.is_empty() {
                 run.head = part.as_str().trim_end().len();
             }
             run.factors.push(self.power(part)?);
         }
         Ok(run)
+    }
+
+    /// Function and argument of a last factor like `sin πt`.
+    fn bare_call(&self, power: &Parsed<'_>) -> Option<(String, String)> {
+        let last = power.clone().into_inner().next_back().filter(|part| part.as_rule() == Rule::call)?;
+        let argument = last.clone().into_inner().find(|part| part.as_rule() == Rule::bare_argument)?;
+        let (last, argument) = (self.text(self.span(&last)), self.text(self.span(&argument)));
+        Some((last.strip_suffix(argument)?.trim().to_owned(), argument.to_owned()))
     }
 
     /// A `power`, `bare_factor` or `exponent` pair: a primary with superscripts and exponents.
@@ -234,7 +250,8 @@ impl Builder<'_> {
 
     /// `∂⁴S/∂u²∂v²`; the order above the bar must be the sum of those below.
     pub fn derivative(&mut self, pair: Parsed<'_>) -> Result<Unknown, Diagnostic> {
-        let (text, whole) = (pair.as_str().trim_end().to_owned(), self.span(&pair));
+        let whole = self.span(&pair);
+        let text = self.text(whole).to_owned();
         let (mut above, mut component, mut orders) = (1, None, Derivative::NONE);
         for part in pair.into_inner() {
             match part.as_rule() {
@@ -284,13 +301,6 @@ struct Run {
     head: usize,
     /// Name and argument of a last factor like `sin πt`, whose end is open.
     bare_call: Option<(String, String)>,
-}
-
-fn bare_call_of(power: &Parsed<'_>) -> Option<(String, String)> {
-    let last = power.clone().into_inner().next_back().filter(|part| part.as_rule() == Rule::call)?;
-    let argument = last.clone().into_inner().find(|part| part.as_rule() == Rule::bare_argument)?;
-    let function = last.as_str().strip_suffix(argument.as_str())?;
-    Some((function.trim().to_owned(), argument.as_str().trim_end().to_owned()))
 }
 
 /// `sin πt/2` and `a/2b` can each be read in two ways: show both.

@@ -48,7 +48,8 @@ fn add_line(document: &mut Document, prepared: &Prepared, line: Span) -> Result<
     let mut brackets = Brackets::read(prepared, line, &mut document.tree)?;
     let text = brackets::outermost(prepared, line);
     let pair = parser::line(&text, line.start)?;
-    let mut builder = Builder { tree: &mut document.tree, brackets: &mut brackets, offset: line.start };
+    let mut builder =
+        Builder { tree: &mut document.tree, brackets: &mut brackets, offset: line.start, source: &prepared.text };
     builder.statement(pair)?.add_to(document)
 }
 
@@ -71,6 +72,6 @@ fn values(prepared: &Prepared, span: Span, tree: &mut Tree) -> Result<Vec<Expres
     let mut brackets = Brackets::read(prepared, span, tree)?;
     let text = brackets::outermost(prepared, span);
     let pair = parser::values(&text, span.start)?;
-    let mut builder = Builder { tree, brackets: &mut brackets, offset: span.start };
+    let mut builder = Builder { tree, brackets: &mut brackets, offset: span.start, source: &prepared.text };
     builder.values(pair)
 }

@@ -316,7 +316,7 @@ impl SineSolver {
                 let message = format!("the system of basis function F{} cannot be solved: {error}", j + 1);
                 Diagnostic::new(Code::SolutionNotFinite, message).at(self.origin(j))
             })?;
-            report.condition = report.condition.max(fit.condition);
+            report.condition = report.condition.map(|condition| condition.max(fit.condition));
             report.rank += fit.rank;
             report.unknowns += self.terms;
             if fit.rank < self.terms {
@@ -347,8 +347,10 @@ impl SineSolver {
             method: SineSeries.name(),
             is_exact: false,
             basis_size: self.basis.len(),
+            closure_size: None,
             modes: self.terms,
-            condition: 1.0,
+            condition: Some(1.0),
+            amplification: None,
             rank: 0,
             unknowns: 0,
             warnings: self.note.iter().cloned().collect::<Diagnostics>(),

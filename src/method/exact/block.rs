@@ -1,0 +1,118 @@
+//! One block of the system: functions G_j that need each other, solved by spectral collocation.
+//!
+//! With `G = Σ_i ξ_i c_i + Σ_k w_k ζ_k`, where ζ_k^(n) is a Legendre polynomial up to the boundary's correction, the
+//! equations are imposed at as many Gauss nodes as there are unknowns w_k (docs/methods.md, X3). The boundary is met
+//! by construction. The number of terms grows until the last ones are below the tolerance.
+
+use nalgebra::{DMatrix, Dyn, LU};
+
+/// Functions of u at the nodes: for each order, a row per node, a column per cardinal and trial function.
+pub struct Tables {
+    /// Values by order of derivative.
+    pub values: Vec<DMatrix<f64>>,
+    /// The number of cardinal functions.
+    pub cardinal: usize,
+}
+
+/// The numbers of one block at given nodes.
+pub struct BlockSystem {
+    /// For each order, member equation and member unknown, the entry at every node, or a single one for all.
+    pub entries: Vec<(usize, usize, usize, Vec<f64>)>,
+    /// The number of members.
+    pub members: usize,
+}
+
+/// A factorised block.
+pub struct Factorised {
+    lu: LU<f64, Dyn, Dyn>,
+    matrix: DMatrix<f64>,
+}
+
+impl BlockSystem {
+    fn entry(values: &[f64], node: usize) -> f64 {
+        match values {
+            [all] => *all,
+            _ => values.get(node).copied().unwrap_or(f64::NAN),
+        }
+    }
+
+    /// Applies the block to functions given by coefficients of the columns `from..` of the tables: rows are nodes of
+    /// the first member's equation, then of the second's.
+    pub fn matrix(&self, tables: &Tables, columns: std::ops::Range<usize>) -> DMatrix<f64> {
+        self.assemble(tables, columns, |value, _| value)
+    }
+
+    /// The matrix of the definite equation with the same sizes: even orders with alternating signs, as in
+    /// `|β| D⁴ - |p| D² + |c|`. What the amplification is measured against.
+    pub fn definite_matrix(&self, tables: &Tables, columns: std::ops::Range<usize>) -> DMatrix<f64> {
+        let highest = tables.values.len().saturating_sub(1);
+        self.assemble(tables, columns, |value, order| match (order % 2, (highest - order) / 2 % 2) {
+            (1, _) => 0.0,
+            (_, 0) => value.abs(),
+            _ => -value.abs(),
+        })
+    }
+
+    fn assemble(
+        &self,
+        tables: &Tables,
+        columns: std::ops::Range<usize>,
+        weigh: impl Fn(f64, usize) -> f64,
+    ) -> DMatrix<f64> {
+        let nodes = tables.values.first().map_or(0, DMatrix::nrows);
+        let width = columns.len();
+        let mut matrix = DMatrix::zeros(self.members * nodes, self.members * width);
+        for (order, equation, unknown, values) in &self.entries {
+            let Some(table) = tables.values.get(*order) else { continue };
+            let mut target = matrix.view_mut((equation * nodes, unknown * width), (nodes, width));
+            for node in 0..nodes {
+                let factor = weigh(Self::entry(values, node), *order);
+                let source = table.row(node);
+                let mut row = target.row_mut(node);
+                row += source.columns(columns.start, width) * factor;
+            }
+        }
+        matrix
+    }
+}
+
+impl Factorised {
+    /// Factorises a square matrix; `None` if it is singular or not finite.
+    pub fn new(matrix: DMatrix<f64>) -> Option<Factorised> {
+        if matrix.iter().any(|value| !value.is_finite()) {
+            return None;
+        }
+        let lu = matrix.clone().lu();
+        lu.is_invertible().then_some(Factorised { lu, matrix })
+    }
+
+    /// The solution for each column of `right`, with one step of refinement.
+    pub fn solve(&self, right: &DMatrix<f64>) -> Option<DMatrix<f64>> {
+        let mut solution = self.lu.solve(right)?;
+        solution += self.lu.solve(&(right - &self.matrix * &solution))?;
+        solution.iter().all(|value| value.is_finite()).then_some(solution)
+    }
+
+    /// How much larger solutions can be than those of the definite equation: the spectral radius of A⁻¹ E, by power
+    /// iteration from a fixed start. 1 for definite equations, unbounded near resonance.
+    pub fn amplification(&self, definite: &DMatrix<f64>) -> f64 {
+        let size = definite.nrows();
+        // Every direction is present in the start, whatever the symmetry of the problem.
+        let mut vector =
+            DMatrix::from_fn(size, 1, |row, _| 1.0 / (1.0 + row as f64) + 0.1 * f64::from(u8::from(row % 3 == 0)));
+        let mut growth: f64 = 1.0;
+        for _ in 0..ITERATIONS {
+            let Some(image) = self.lu.solve(&(definite * &vector)) else { return f64::INFINITY };
+            let length = image.norm();
+            growth = length / vector.norm();
+            if !growth.is_finite() || length == 0.0 {
+                return growth;
+            }
+            vector = image / length;
+        }
+        growth.max(1.0)
+    }
+}
+
+/// Near resonance, where the number matters, one eigenvalue dominates and a few steps give three digits.
+const ITERATIONS: usize = 12;

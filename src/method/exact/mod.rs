@@ -1,0 +1,432 @@
+//! Exact solutions: the equation solved to rounding, on the closure of the basis.
+//!
+//! Where the basis has a finite closure under the equation's derivatives in v and t, the equation becomes a finite
+//! system of ordinary differential equations in u (docs/methods.md, X1 to X3), solved once for all v and t. So the
+//! solution holds at every instant, and an animation solves once. Coefficients may depend on u; the force may be any
+//! function of the closure times any smooth function of u; any order in u and any boundary conditions that determine
+//! a surface are treated.
+
+mod block;
+mod system;
+
+use std::sync::Arc;
+
+use nalgebra::DMatrix;
+use rustc_hash::FxHashMap;
+
+use super::{Method, Options, Report, Solution, Solver};
+use crate::decompose::{Closure, Decomposition, close};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
+use crate::eval::{Backend, Evaluator, Program, Samples, compile};
+use crate::expr::{ExprId, Notation};
+use crate::limits::Limits;
+use crate::numeric::{NodeKind, nodes};
+use crate::surface::{Basis, Coefficients, SeparableSurface};
+use crate::trial::{CorrectedTrial, IntegratedLegendre};
+
+use block::{BlockSystem, Factorised, Tables};
+use system::{Place, System};
+
+/// The method `exact`.
+pub struct Exact;
+
+/// Terms of the last size tried; layers that need more are reported.
+const MOST_TERMS: usize = 512;
+const FIRST_TERMS: usize = 18;
+const DEFAULT_TOLERANCE: f64 = 1e-12;
+
+impl Method for Exact {
+    fn name(&self) -> &'static str {
+        "exact"
+    }
+
+    fn description(&self) -> &'static str {
+        "the equation to rounding, where the basis has a finite closure; one solution for all t"
+    }
+
+    fn accepts(&self, decomposition: &Decomposition) -> Result<(), Diagnostic> {
+        let (graph, operator) = (&decomposition.graph, &decomposition.patch.operator);
+        let depends = |expr: ExprId| graph.dependence(expr).v || graph.dependence(expr).t;
+        if operator.terms.iter().flat_map(|term| term.coefficient).any(depends) {
+            let message = "the method `exact` needs coefficients that do not depend on v or t";
+            return Err(Diagnostic::new(Code::UnsupportedByMethod, message).at(operator.origin));
+        }
+        close(decomposition, &Limits::default()).map(|_| ())
+    }
+
+    fn prepare(&self, decomposition: &Decomposition, options: &Options) -> Result<Box<dyn Solver>, Diagnostic> {
+        let tolerance = options.settings.tolerance.map_or(Ok(DEFAULT_TOLERANCE), |(tolerance, origin)| {
+            if (1e-15..=1e-2).contains(&tolerance) {
+                return Ok(tolerance);
+            }
+            let message = format!("the tolerance {tolerance} lies outside [1e-15, 1e-2]");
+            Err(Diagnostic::new(Code::SettingOutOfRange, message).at(origin))
+        })?;
+        let Closure { mut graph, functions, derivatives, force } = close(decomposition, &options.limits)?;
+        let closure = Closure { graph: graph.clone(), functions: functions.clone(), derivatives, force: force.clone() };
+        let system = System::build(&mut graph, &closure, &decomposition.patch.operator);
+        let varies_with_u = |exprs: &[ExprId]| exprs.iter().any(|expr| graph.dependence(*expr).u);
+        let entries: Vec<ExprId> = system.entries.iter().map(|(_, expr)| *expr).collect();
+        let forces: Vec<ExprId> = force.iter().flatten().copied().collect();
+        let positions = decomposition.patch.conditions.iter().map(|condition| condition.u);
+        let constants: Vec<ExprId> =
+            positions.chain(decomposition.coefficients.iter().flatten().flatten().copied()).collect();
+        let interpreted = |outputs: &[ExprId]| compile(Program::compile(&graph, outputs), Backend::Interpreter).0;
+        let names = functions
+            .iter()
+            .map(|(expr, _)| graph.text(*expr, Notation::Ascii, 60).unwrap_or_else(|_| "a long expression".to_owned()));
+        Ok(Box::new(ExactSolver {
+            tolerance,
+            order: decomposition.patch.operator.order_in_u(),
+            orders: decomposition.patch.conditions.iter().map(|condition| condition.order).collect(),
+            basis_size: decomposition.basis.len(),
+            origins: functions.iter().map(|(_, origin)| *origin).collect(),
+            names: names.collect(),
+            has_force: forces.iter().any(|expr| !graph.is_zero(*expr)),
+            entries_vary: varies_with_u(&entries),
+            entry_values: interpreted(&entries),
+            force_values: interpreted(&forces),
+            constant_values: interpreted(&constants),
+            basis: Arc::new(Basis::new(graph.clone(), functions, options.backend)),
+            system,
+        }))
+    }
+}
+
+struct ExactSolver {
+    tolerance: f64,
+    /// Order of the equation in u.
+    order: usize,
+    /// The order of each boundary condition.
+    orders: Vec<usize>,
+    /// How many functions of the closure carry boundary data: the first ones.
+    basis_size: usize,
+    origins: Vec<Option<Span>>,
+    names: Vec<String>,
+    has_force: bool,
+    entries_vary: bool,
+    system: System,
+    entry_values: Arc<dyn Evaluator>,
+    force_values: Arc<dyn Evaluator>,
+    constant_values: Arc<dyn Evaluator>,
+    basis: Arc<Basis>,
+}
+
+/// What is known while blocks are solved.
+struct Progress<'a> {
+    params: &'a [f64],
+    range: [f64; 2],
+    functionals: Vec<(f64, usize)>,
+    /// Boundary coefficients by condition, basis function, component.
+    boundary: Vec<f64>,
+    /// For each function that is solved, a row per mode.
+    solved: Vec<Option<DMatrix<f64>>>,
+    /// Nodes, tables, entries and forces by number of terms.
+    discretisations: FxHashMap<usize, Arc<Discretisation>>,
+    /// Factorised blocks by their numbers.
+    factorised: FxHashMap<(usize, Vec<u64>), Arc<Factorised>>,
+    amplification: (f64, usize),
+}
+
+struct Discretisation {
+    tables: Tables,
+    entries: Vec<Vec<f64>>,
+    /// By function and component.
+    forces: Vec<Vec<f64>>,
+}
+
+impl Solver for ExactSolver {
+    fn solve(&self, params: &[f64], [range, _]: [[f64; 2]; 2], _t: f64) -> Result<Solution, Diagnostic> {
+        let constants = evaluate(&*self.constant_values, params, &[0.0])?;
+        if let Some(at) = constants.iter().position(|value| !value.is_finite()) {
+            let j = at.saturating_sub(self.orders.len()) / 3 % self.basis_size.max(1);
+            let message = format!("the coefficient of `{}` in the boundary data is not finite", self.name(j));
+            return Err(Diagnostic::new(Code::ParameterNotFinite, message).at(self.origin(j)));
+        }
+        let (positions, boundary) = constants.split_at_checked(self.orders.len()).unwrap_or_default();
+        let mut progress = Progress {
+            params,
+            range,
+            functionals: positions.iter().copied().zip(self.orders.iter().copied()).collect(),
+            boundary: boundary.to_vec(),
+            solved: vec![None; self.basis.len()],
+            discretisations: FxHashMap::default(),
+            factorised: FxHashMap::default(),
+            amplification: (1.0, 0),
+        };
+        for members in &self.system.blocks {
+            self.solve_block(members, &mut progress)?;
+        }
+        let terms = progress.solved.iter().flatten().map(|rows| rows.nrows() - self.orders.len()).max().unwrap_or(0);
+        let modes = self.modes(terms, &progress)?;
+        let count = self.basis.len();
+        let mut coefficients: Coefficients = vec![[0.0; 3]; modes.len() * count];
+        for (j, rows) in progress.solved.iter().enumerate() {
+            let slots = coefficients.iter_mut().skip(j).step_by(count.max(1));
+            for (slot, row) in slots.zip(rows.iter().flat_map(|rows| rows.row_iter())) {
+                for (component, value) in slot.iter_mut().zip(row.iter()) {
+                    *component = *value + 0.0;
+                }
+            }
+        }
+        let surface = SeparableSurface {
+            modes: Arc::new(modes),
+            basis: Arc::clone(&self.basis),
+            params: params.to_vec(),
+            coefficients: vec![coefficients],
+            instant: None,
+        };
+        let (amplification, j) = progress.amplification;
+        let unknowns = terms * count;
+        let report = Report {
+            method: Exact.name(),
+            is_exact: true,
+            basis_size: self.basis_size,
+            closure_size: Some(count),
+            modes: terms,
+            condition: None,
+            amplification: Some(amplification),
+            rank: unknowns,
+            unknowns,
+            warnings: self.judge(amplification, j)?,
+        };
+        Ok(Solution { surface: Arc::new(surface), report })
+    }
+}
+
+impl ExactSolver {
+    fn modes(&self, terms: usize, progress: &Progress<'_>) -> Result<CorrectedTrial, Diagnostic> {
+        let family = Arc::new(IntegratedLegendre::new(self.order, terms));
+        CorrectedTrial::new(family, terms, progress.range, &progress.functionals).ok_or_else(|| {
+            let message = "with these parameters the constraints do not determine a surface";
+            Diagnostic::new(Code::DependentConstraints, message)
+        })
+    }
+
+    /// Solves the functions of one block with as many terms as the tolerance needs.
+    fn solve_block(&self, members: &[usize], progress: &mut Progress<'_>) -> Result<(), Diagnostic> {
+        let mut terms = FIRST_TERMS;
+        loop {
+            let discretisation = self.discretise(terms, progress)?;
+            let mut rows: Vec<DMatrix<f64>> = vec![DMatrix::zeros(self.orders.len() + terms, 3); members.len()];
+            let mut is_resolved = true;
+            for component in 0..if self.system.is_vector { 3 } else { 1 } {
+                let columns = if self.system.is_vector { component..component + 1 } else { 0..3 };
+                let weights =
+                    self.solve_component(members, component, columns.clone(), &discretisation, terms, progress)?;
+                is_resolved &= is_resolved_to(&weights, terms, self.tolerance);
+                for (member, rows) in rows.iter_mut().enumerate() {
+                    let part = weights.rows(member * terms, terms);
+                    rows.view_mut((self.orders.len(), columns.start), (terms, columns.len())).copy_from(&part);
+                }
+            }
+            if is_resolved {
+                for (&j, mut rows) in members.iter().zip(rows) {
+                    rows.rows_mut(0, self.orders.len()).copy_from(&self.stated(j, progress));
+                    if let Some(slot) = progress.solved.get_mut(j) {
+                        *slot = Some(rows);
+                    }
+                }
+                return Ok(());
+            }
+            if terms >= MOST_TERMS {
+                let j = members.first().copied().unwrap_or(0);
+                let message = format!(
+                    "the solution along `{}` has layers too thin for {MOST_TERMS} terms across the blend",
+                    self.name(j)
+                );
+                return Err(Diagnostic::new(Code::SolutionNotFinite, message)
+                    .at(self.origin(j))
+                    .hint("the coefficient of the highest derivative in u is very small compared with the others; enlarge it, or choose a fitted method"));
+            }
+            terms = (terms * 3 / 2).min(MOST_TERMS);
+        }
+    }
+
+    /// The weights of the trial functions of all members, for some columns x, y, z.
+    fn solve_component(
+        &self,
+        members: &[usize],
+        component: usize,
+        columns: std::ops::Range<usize>,
+        discretisation: &Discretisation,
+        terms: usize,
+        progress: &mut Progress<'_>,
+    ) -> Result<DMatrix<f64>, Diagnostic> {
+        let (block, right) = self.block_of(members, component, discretisation, terms, progress);
+        let right = right.columns(columns.start, columns.len()).into_owned();
+        let cardinal = discretisation.tables.cardinal;
+        if right.iter().all(|value| *value == 0.0) {
+            return Ok(DMatrix::zeros(members.len() * terms, columns.len()));
+        }
+        let j = members.first().copied().unwrap_or(0);
+        let key = (
+            terms,
+            block
+                .entries
+                .iter()
+                .flat_map(|(p, a, b, values)| {
+                    [*p as u64, *a as u64, *b as u64].into_iter().chain(values.iter().map(|value| value.to_bits()))
+                })
+                .collect::<Vec<u64>>(),
+        );
+        let factorised = match progress.factorised.get(&key) {
+            Some(known) => Arc::clone(known),
+            None => {
+                let trial = cardinal..cardinal + terms;
+                let factorised = Factorised::new(block.matrix(&discretisation.tables, trial.clone()));
+                let factorised = Arc::new(factorised.ok_or_else(|| self.resonant(f64::INFINITY, j))?);
+                let amplification = factorised.amplification(&block.definite_matrix(&discretisation.tables, trial));
+                if amplification > progress.amplification.0 {
+                    progress.amplification = (amplification, j);
+                }
+                progress.factorised.insert(key, Arc::clone(&factorised));
+                factorised
+            }
+        };
+        factorised.solve(&right).ok_or_else(|| self.resonant(f64::INFINITY, j))
+    }
+
+    /// The numbers of a block, and its right-hand side: force, boundary part, and functions solved before.
+    fn block_of(
+        &self,
+        members: &[usize],
+        component: usize,
+        discretisation: &Discretisation,
+        terms: usize,
+        progress: &Progress<'_>,
+    ) -> (BlockSystem, DMatrix<f64>) {
+        let tables = &discretisation.tables;
+        let mut right = DMatrix::zeros(members.len() * terms, 3);
+        for (member, &j) in members.iter().enumerate() {
+            for axis in 0..3 {
+                let force = discretisation.forces.get(3 * j + axis).map_or(&[][..], Vec::as_slice);
+                for (slot, value) in right.view_mut((member * terms, axis), (terms, 1)).iter_mut().zip(force) {
+                    *slot = *value;
+                }
+            }
+        }
+        let mut entries = Vec::new();
+        for ((place, _), values) in self.system.entries.iter().zip(&discretisation.entries) {
+            let Place { component: of, equation, unknown, order } = *place;
+            let Some(row) = members.iter().position(|member| *member == equation) else { continue };
+            if of != component {
+                continue;
+            }
+            let own = members.iter().position(|member| *member == unknown);
+            // Inside the block the boundary part of G is known; outside all of it.
+            let known = match own {
+                Some(_) => Some(self.stated(unknown, progress)),
+                None => progress.solved.get(unknown).cloned().flatten(),
+            };
+            if let (Some(known), Some(table)) = (known, tables.values.get(order)) {
+                let image = table.columns(0, known.nrows()) * known;
+                for node in 0..terms {
+                    let factor = match values.as_slice() {
+                        [all] => *all,
+                        _ => values.get(node).copied().unwrap_or(f64::NAN),
+                    };
+                    let mut target = right.row_mut(row * terms + node);
+                    target -= image.row(node) * factor;
+                }
+            }
+            if let Some(column) = own {
+                entries.push((order, row, column, values.clone()));
+            }
+        }
+        (BlockSystem { entries, members: members.len() }, right)
+    }
+
+    /// The boundary coefficients of function `j`, a row per condition; zero for functions the closure added.
+    fn stated(&self, j: usize, progress: &Progress<'_>) -> DMatrix<f64> {
+        DMatrix::from_fn(self.orders.len(), 3, |condition, axis| {
+            if j >= self.basis_size {
+                return 0.0;
+            }
+            progress.boundary.get((condition * self.basis_size + j) * 3 + axis).copied().unwrap_or(f64::NAN)
+        })
+    }
+
+    /// Nodes for `terms` unknowns, with everything evaluated there.
+    fn discretise(&self, terms: usize, progress: &mut Progress<'_>) -> Result<Arc<Discretisation>, Diagnostic> {
+        // Functions solved before may have more terms than this block will.
+        let most = progress.solved.iter().flatten().map(|rows| rows.nrows() - self.orders.len()).max().unwrap_or(0);
+        let wanted = terms.max(most);
+        if let Some(known) = progress.discretisations.get(&terms)
+            && known.tables.values.first().is_some_and(|table| table.ncols() >= wanted + self.orders.len())
+        {
+            return Ok(Arc::clone(known));
+        }
+        let modes = self.modes(wanted, progress)?;
+        let u = nodes(NodeKind::Gauss, terms, progress.range);
+        let table = |order: usize| {
+            let rows: Vec<f64> = u.iter().flat_map(|&u| modes.derivatives(order, u)).collect();
+            DMatrix::from_row_slice(u.len(), modes.len(), &rows)
+        };
+        let tables = Tables { values: (0..=self.order).map(table).collect(), cardinal: self.orders.len() };
+        let at: &[f64] = if self.entries_vary { &u } else { u.get(..1).unwrap_or(&[]) };
+        let entries = evaluate(&*self.entry_values, progress.params, at)?;
+        let entries: Vec<Vec<f64>> = entries.chunks(at.len().max(1)).map(<[f64]>::to_vec).collect();
+        let forces = if self.has_force { evaluate(&*self.force_values, progress.params, &u)? } else { Vec::new() };
+        if forces.iter().chain(entries.iter().flatten()).any(|value| !value.is_finite()) {
+            let message = "a coefficient or the force of the equation is not finite inside the domain";
+            return Err(Diagnostic::new(Code::DataNotFinite, message));
+        }
+        let forces = forces.chunks(u.len().max(1)).map(<[f64]>::to_vec).collect();
+        let discretisation = Arc::new(Discretisation { tables, entries, forces });
+        progress.discretisations.insert(terms, Arc::clone(&discretisation));
+        Ok(discretisation)
+    }
+
+    /// What an amplification means for the user.
+    fn judge(&self, amplification: f64, j: usize) -> Result<Diagnostics, Diagnostic> {
+        if amplification > 1e10 {
+            return Err(self.resonant(amplification, j));
+        }
+        if amplification < 10.0 {
+            return Ok(Diagnostics::new());
+        }
+        let code = if amplification < 1e3 { Code::Amplified } else { Code::NearlyResonant };
+        let message = format!(
+            "along `{}` the equation amplifies {amplification:.1e} times; expect a relative error of {:.1e}",
+            self.name(j),
+            amplification * f64::EPSILON
+        );
+        Ok(vec![Diagnostic::new(code, message).at(self.origin(j))])
+    }
+
+    fn resonant(&self, amplification: f64, j: usize) -> Diagnostic {
+        let how = if amplification.is_finite() { format!(" ({amplification:.1e} times)") } else { String::new() };
+        let message = format!("the equation is resonant along `{}`: it has no reliable solution{how}", self.name(j));
+        Diagnostic::new(Code::Resonant, message)
+            .at(self.origin(j))
+            .hint("change a coefficient of the equation a little, or choose a fitted method such as `sine`")
+    }
+
+    fn name(&self, j: usize) -> &str {
+        self.names.get(j).map_or("?", String::as_str)
+    }
+
+    fn origin(&self, j: usize) -> Option<Span> {
+        self.origins.get(j).copied().flatten()
+    }
+}
+
+/// Whether the last four weights of every member are below `tolerance` times the largest.
+fn is_resolved_to(weights: &DMatrix<f64>, terms: usize, tolerance: f64) -> bool {
+    let largest = weights.amax();
+    let members = weights.nrows() / terms.max(1);
+    (0..members).all(|member| {
+        let tail = weights.rows(member * terms + terms.saturating_sub(4), 4.min(terms));
+        tail.amax() <= tolerance * largest
+    })
+}
+
+/// The values of a program of u and the params, output after output.
+fn evaluate(evaluator: &dyn Evaluator, params: &[f64], u: &[f64]) -> Result<Vec<f64>, Diagnostic> {
+    let mut values = vec![0.0; evaluator.program().outputs() * u.len()];
+    evaluator
+        .evaluate(params, Samples { u, v: u, t: u }, &mut values)
+        .map_err(|error| Diagnostic::new(Code::SolutionNotFinite, error.to_string()))?;
+    Ok(values)
+}
