@@ -118,11 +118,22 @@ impl Prepared {
     ) -> Result<Prepared, Diagnostic> {
         let domain = decomposition.patch.domain.evaluate(problem, bindings)?;
         let request = &decomposition.patch.solve;
-        let settings = options.settings.clone().over(Settings::read(&request.settings)?);
+        let mut stated = Settings::read(&request.settings)?;
         let method = match options.method.as_deref() {
-            Some(name) => method::choose(Some(name), None, &decomposition)?,
+            Some(name) => {
+                let method = method::choose(Some(name), None, &decomposition)?;
+                // The document's settings are those of its own method.
+                stated = stated.only(method.settings());
+                method
+            }
             None => method::choose(request.method.as_deref(), request.origin, &decomposition)?,
         };
+        let settings = options.settings.clone().over(stated);
+        if let Some((name, origin)) = settings.given().into_iter().find(|(name, _)| !method.settings().contains(name)) {
+            let message = format!("the method `{}` has no setting `{name}`", method.name());
+            let finding = Diagnostic::new(Code::UnknownSetting, message).at(origin);
+            return Err(finding.hint(format!("its settings: {}", method.settings().join(", "))));
+        }
         let solver = method.prepare(&decomposition, &Options { settings, ..options.clone() })?;
         Ok(Prepared { decomposition, domain, solver })
     }

@@ -9,7 +9,7 @@ mod exact;
 mod settings;
 mod sine;
 
-pub use settings::{Settings, Size};
+pub use settings::{Fit, Settings, Size, Terms};
 
 use std::sync::Arc;
 
@@ -26,6 +26,9 @@ pub trait Method: Sync {
 
     /// What it does, in one line.
     fn description(&self) -> &'static str;
+
+    /// The settings it reads, by name.
+    fn settings(&self) -> &'static [&'static str];
 
     /// Whether it can treat the problem.
     ///

@@ -7,12 +7,32 @@ use crate::problem::RequestedSetting;
 /// Settings a user may give; methods have defaults for what is not given.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Settings {
-    /// The number of trial functions.
-    pub terms: Option<(usize, Option<Span>)>,
+    /// The number of trial functions, or the highest powers.
+    pub terms: Option<(Terms, Option<Span>)>,
     /// The collocation grid.
     pub points: Option<(Size, Option<Span>)>,
+    /// Whether coefficients of all basis functions are fitted together.
+    pub fit: Option<(Fit, Option<Span>)>,
     /// The tolerance of adaptive methods.
     pub tolerance: Option<(f64, Option<Span>)>,
+}
+
+/// `K`, or `M x N` for methods with two.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Terms {
+    /// K, or M.
+    pub first: usize,
+    /// N, if it is given.
+    pub second: Option<usize>,
+}
+
+/// What is fitted together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Fit {
+    /// The coefficients of all basis functions.
+    Joint,
+    /// Those of each basis function alone.
+    PerBasis,
 }
 
 /// A collocation grid: counts in u and v, and where the nodes lie.
@@ -56,6 +76,7 @@ impl Settings {
         Settings {
             terms: self.terms.or(other.terms),
             points: self.points.or(other.points),
+            fit: self.fit.or(other.fit),
             tolerance: self.tolerance.or(other.tolerance),
         }
     }
@@ -77,13 +98,50 @@ impl Settings {
         Ok(settings)
     }
 
+    /// The settings that are given, by name.
+    #[must_use]
+    pub fn given(&self) -> Vec<(&'static str, Option<Span>)> {
+        let all = [
+            ("terms", self.terms.map(|(_, origin)| origin)),
+            ("points", self.points.map(|(_, origin)| origin)),
+            ("fit", self.fit.map(|(_, origin)| origin)),
+            ("tolerance", self.tolerance.map(|(_, origin)| origin)),
+        ];
+        all.into_iter().filter_map(|(name, origin)| origin.map(|origin| (name, origin))).collect()
+    }
+
+    /// These settings without those that are not in `names`.
+    #[must_use]
+    pub fn only(self, names: &[&str]) -> Settings {
+        let has = |name: &str| names.contains(&name);
+        Settings {
+            terms: self.terms.filter(|_| has("terms")),
+            points: self.points.filter(|_| has("points")),
+            fit: self.fit.filter(|_| has("fit")),
+            tolerance: self.tolerance.filter(|_| has("tolerance")),
+        }
+    }
+
     /// Sets one setting from text, for example `points` from `11x11:ends`.
     ///
     /// # Errors
     /// [`Code::UnknownSetting`].
     pub fn set(&mut self, key: &str, value: &str, origin: Option<Span>) -> Result<(), Diagnostic> {
         match key {
-            "terms" => self.terms = Some((read_count(value).map_err(|finding| finding.at(origin))?, origin)),
+            "terms" => self.terms = Some((Terms::read(value).map_err(|finding| finding.at(origin))?, origin)),
+            "fit" => {
+                let fit = match value {
+                    "joint" => Fit::Joint,
+                    "per-basis" => Fit::PerBasis,
+                    _ => {
+                        let message = format!("`{value}` is not a way to fit");
+                        return Err(Diagnostic::new(Code::UnknownSetting, message)
+                            .at(origin)
+                            .hint("write joint or per-basis"));
+                    }
+                };
+                self.fit = Some((fit, origin));
+            }
             "points" => self.points = Some((Size::read(value).map_err(|finding| finding.at(origin))?, origin)),
             "tolerance" => {
                 let wrong =
@@ -95,15 +153,29 @@ impl Settings {
                 let finding = Diagnostic::new(Code::UnknownSetting, format!("there is no setting `{key}`"));
                 return Err(finding
                     .at(origin)
-                    .hint("settings: terms = K, points = L x M [: midpoints | ends | gauss], tolerance = X"));
+                    .hint("settings: terms = K, points = L x M [: midpoints | ends | gauss], fit = joint | per-basis, tolerance = X"));
             }
         }
         Ok(())
     }
 }
 
-fn read_count(text: &str) -> Result<usize, Diagnostic> {
-    text.parse().map_err(|_| {
-        Diagnostic::new(Code::UnknownSetting, format!("`{text}` is not a number of terms")).hint("write a whole number")
-    })
+impl Terms {
+    /// Reads `5` or `3x3`.
+    ///
+    /// # Errors
+    /// [`Code::UnknownSetting`] for text of another form.
+    pub fn read(text: &str) -> Result<Terms, Diagnostic> {
+        let count = |text: &str| {
+            text.trim().parse::<usize>().map_err(|_| {
+                let message = format!("`{text}` is not a number of terms");
+                Diagnostic::new(Code::UnknownSetting, message)
+                    .hint("write a whole number, or `M x N` for methods with two")
+            })
+        };
+        match text.split_once('x') {
+            Some((first, second)) => Ok(Terms { first: count(first)?, second: Some(count(second)?) }),
+            None => Ok(Terms { first: count(text)?, second: None }),
+        }
+    }
 }

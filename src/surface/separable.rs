@@ -5,15 +5,15 @@ use std::sync::Arc;
 use super::{Basis, Surface};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::expr::Derivative;
-use crate::trial::CorrectedTrial;
+use crate::trial::Modes;
 
 /// Vector coefficients, mode after mode: that of mode m and basis function j is at `m * basis.len() + j`.
 pub type Coefficients = Vec<[f64; 3]>;
 
 /// A surface over modes φ_m(u) and a basis F_j(v, t).
 pub struct SeparableSurface {
-    /// The modes φ_m: cardinal functions, then corrected trial functions.
-    pub modes: Arc<CorrectedTrial>,
+    /// The modes φ_m; usually cardinal functions, then corrected trial functions.
+    pub modes: Arc<dyn Modes>,
     /// The basis F_j.
     pub basis: Arc<Basis>,
     /// Values of the parameters.

@@ -32,7 +32,16 @@ pub fn families(order: usize, count: usize) -> Vec<Arc<dyn TrialFamily>> {
     vec![Arc::new(Sine), Arc::new(IntegratedLegendre::new(order, count))]
 }
 
-/// The functions of u that a surface is made of: ξ_1 … ξ_n, then ζ_1 … ζ_K.
+/// The functions of u that a separable surface is made of.
+pub trait Modes: Debug + Send + Sync {
+    /// The number of functions.
+    fn count(&self) -> usize;
+
+    /// The derivatives of order `order` of every function at `u`.
+    fn derivatives(&self, order: usize, u: f64) -> Vec<f64>;
+}
+
+/// The usual modes: ξ_1 … ξ_n, then ζ_1 … ζ_K.
 #[derive(Debug, Clone)]
 pub struct CorrectedTrial {
     family: Arc<dyn TrialFamily>,
@@ -67,22 +76,14 @@ impl CorrectedTrial {
     pub fn cardinal_count(&self) -> usize {
         self.cardinal.len()
     }
+}
 
-    /// The number of functions.
-    #[must_use]
-    pub fn len(&self) -> usize {
+impl Modes for CorrectedTrial {
+    fn count(&self) -> usize {
         self.cardinal.len() + self.count
     }
 
-    /// Whether there are none; never true.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
-    }
-
-    /// The derivatives of order `order` of ξ_1 … ξ_n, ζ_1 … ζ_K at `u`.
-    #[must_use]
-    pub fn derivatives(&self, order: usize, u: f64) -> Vec<f64> {
+    fn derivatives(&self, order: usize, u: f64) -> Vec<f64> {
         let mut values = self.cardinal.derivatives(order, u);
         let raw = self.family.derivatives(self.count, order, u, self.range);
         let corrected: Vec<f64> = raw

@@ -85,9 +85,17 @@ pub struct Solving {
     #[arg(long, value_name = "NAME", long_help = method_help())]
     pub method: Option<String>,
 
-    /// The number of trial functions of a fitted method.
-    #[arg(long, value_name = "K")]
+    /// The number of trial functions of a fitted method, or its highest powers.
+    #[arg(long, value_name = "K|MxN")]
     pub terms: Option<String>,
+
+    /// What a fitted method fits together: joint or per-basis.
+    #[arg(long, value_name = "HOW")]
+    pub fit: Option<String>,
+
+    /// The tolerance of adaptive methods.
+    #[arg(long, value_name = "X")]
+    pub tolerance: Option<String>,
 
     /// The instant, where one is needed [default: start of the time domain].
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
@@ -112,12 +120,36 @@ fn method_help() -> String {
 }
 
 impl Solving {
+    /// Options of the solution that are given, by name.
+    fn given<'a>(&'a self, points: Option<&'a str>) -> Vec<(&'static str, &'a str)> {
+        let all = [
+            ("terms", self.terms.as_deref()),
+            ("points", points),
+            ("fit", self.fit.as_deref()),
+            ("tolerance", self.tolerance.as_deref()),
+            ("method", self.method.as_deref()),
+        ];
+        all.into_iter().filter_map(|(name, value)| value.map(|value| (name, value))).collect()
+    }
+
+    /// A failure for a finding without a place: it is about the option that it names, or else about the method.
+    pub fn fault(&self, points: Option<&str>, finding: Diagnostic) -> Failure {
+        let given = self.given(points);
+        let is_named = |(name, value): &&(&str, &str)| {
+            finding.message.contains(name)
+                || (*name == "points" && finding.message.contains("grid"))
+                || finding.message.contains(value)
+        };
+        match given.iter().find(is_named).or(given.last()) {
+            Some((name, value)) => option_finding(name, value, finding),
+            None => Failure::Found { source: None, findings: vec![finding] },
+        }
+    }
+
     /// The settings that options give.
     pub fn settings(&self, points: Option<&str>) -> Result<Settings, Failure> {
         let mut settings = Settings::default();
-        let options = [("terms", self.terms.as_deref()), ("points", points)];
-        for (key, value) in options {
-            let Some(value) = value else { continue };
+        for (key, value) in self.given(points).into_iter().filter(|(name, _)| *name != "method") {
             settings.set(key, value, None).map_err(|finding| option_finding(key, value, finding))?;
         }
         Ok(settings)

@@ -84,16 +84,9 @@ impl Spec {
         let method = solving.method.clone();
         let options = Options { method, settings, backend: Backend::Auto, limits: self.limits.clone() };
         let prepared = Prepared::new(&self.problem, &self.bindings, decomposition, &options);
-        // A finding without a place is about an option.
-        let prepared = prepared.map_err(|finding| {
-            match (finding.span, finding.code, &solving.method, points, &solving.terms) {
-                (None, Code::UnknownSetting | Code::UnsupportedByMethod, Some(method), ..) => {
-                    option_finding("method", method, finding)
-                }
-                (None, _, _, Some(points), _) => option_finding("points", points, finding),
-                (None, _, _, None, Some(terms)) => option_finding("terms", terms, finding),
-                _ => self.fault(finding),
-            }
+        let prepared = prepared.map_err(|finding| match finding.span {
+            None => solving.fault(points, finding),
+            Some(_) => self.fault(finding),
         })?;
         Ok(Patched { prepared, decompose_seconds, compile_seconds: start.elapsed().as_secs_f64() })
     }

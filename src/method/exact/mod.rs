@@ -22,7 +22,7 @@ use crate::expr::{ExprId, Notation};
 use crate::limits::Limits;
 use crate::numeric::{NodeKind, nodes};
 use crate::surface::{Basis, Coefficients, SeparableSurface};
-use crate::trial::{CorrectedTrial, IntegratedLegendre};
+use crate::trial::{CorrectedTrial, IntegratedLegendre, Modes};
 
 use block::{BlockSystem, Factorised, Tables};
 use system::{Place, System};
@@ -42,6 +42,10 @@ impl Method for Exact {
 
     fn description(&self) -> &'static str {
         "the equation to rounding, where the basis has a finite closure; one solution for all t"
+    }
+
+    fn settings(&self) -> &'static [&'static str] {
+        &["tolerance"]
     }
 
     fn accepts(&self, decomposition: &Decomposition) -> Result<(), Diagnostic> {
@@ -160,7 +164,7 @@ impl Solver for ExactSolver {
         let terms = progress.solved.iter().flatten().map(|rows| rows.nrows() - self.orders.len()).max().unwrap_or(0);
         let modes = self.modes(terms, &progress)?;
         let count = self.basis.len();
-        let mut coefficients: Coefficients = vec![[0.0; 3]; modes.len() * count];
+        let mut coefficients: Coefficients = vec![[0.0; 3]; modes.count() * count];
         for (j, rows) in progress.solved.iter().enumerate() {
             let slots = coefficients.iter_mut().skip(j).step_by(count.max(1));
             for (slot, row) in slots.zip(rows.iter().flat_map(|rows| rows.row_iter())) {
@@ -361,7 +365,7 @@ impl ExactSolver {
         let u = nodes(NodeKind::Gauss, terms, progress.range);
         let table = |order: usize| {
             let rows: Vec<f64> = u.iter().flat_map(|&u| modes.derivatives(order, u)).collect();
-            DMatrix::from_row_slice(u.len(), modes.len(), &rows)
+            DMatrix::from_row_slice(u.len(), modes.count(), &rows)
         };
         let tables = Tables { values: (0..=self.order).map(table).collect(), cardinal: self.orders.len() };
         let at: &[f64] = if self.entries_vary { &u } else { u.get(..1).unwrap_or(&[]) };

@@ -10,7 +10,7 @@
 use nalgebra::DMatrix;
 
 use crate::numeric::{LeastSquares, LeastSquaresError};
-use crate::trial::CorrectedTrial;
+use crate::trial::{CorrectedTrial, Modes};
 
 /// The functions of u at the collocation nodes.
 pub struct Collocation {
@@ -37,9 +37,9 @@ impl Collocation {
         let (mut cardinal, mut trial) = (Vec::new(), Vec::new());
         for &order in orders_in_u {
             let rows: Vec<f64> = u.iter().flat_map(|&u| modes.derivatives(order, u)).collect();
-            let all = DMatrix::from_row_slice(u.len(), modes.len(), &rows);
+            let all = DMatrix::from_row_slice(u.len(), modes.count(), &rows);
             cardinal.push(all.columns(0, count).into_owned());
-            trial.push(all.columns(count, modes.len() - count).into_owned());
+            trial.push(all.columns(count, modes.count() - count).into_owned());
         }
         Collocation { cardinal, trial }
     }

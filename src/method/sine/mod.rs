@@ -15,14 +15,14 @@ use std::sync::Arc;
 
 use nalgebra::DMatrix;
 
-use super::{Method, Options, Report, Size, Solution, Solver};
+use super::{Method, Options, Report, Size, Solution, Solver, Terms};
 use crate::decompose::Decomposition;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 use crate::eval::{Backend, Evaluator, Program, Samples, compile};
 use crate::expr::{Derivative, ExprId, Graph};
 use crate::numeric::{NodeKind, nodes};
 use crate::surface::{Basis, Coefficients, SeparableSurface};
-use crate::trial::{CorrectedTrial, Sine};
+use crate::trial::{CorrectedTrial, Modes, Sine};
 
 use collocation::Collocation;
 
@@ -39,6 +39,10 @@ impl Method for SineSeries {
 
     fn description(&self) -> &'static str {
         "K sine terms per basis function, fitted at L x M points (You, Ugail and Zhang 2012, corrected)"
+    }
+
+    fn settings(&self) -> &'static [&'static str] {
+        &["terms", "points"]
     }
 
     fn accepts(&self, decomposition: &Decomposition) -> Result<(), Diagnostic> {
@@ -85,7 +89,14 @@ impl Method for SineSeries {
 
 /// The number of terms and the grid, checked.
 fn sizes(decomposition: &Decomposition, options: &Options, orders_in_t: usize) -> Result<(usize, Size), Diagnostic> {
-    let (terms, terms_origin) = options.settings.terms.unwrap_or((DEFAULT_TERMS, None));
+    let (terms, terms_origin) = match options.settings.terms {
+        None => (DEFAULT_TERMS, None),
+        Some((Terms { first, second: None }, origin)) => (first, origin),
+        Some((Terms { second: Some(_), .. }, origin)) => {
+            let finding = Diagnostic::new(Code::UnknownSetting, "the method `sine` has one number of terms").at(origin);
+            return Err(finding.hint("write `terms = 5`"));
+        }
+    };
     if terms == 0 {
         let finding = Diagnostic::new(Code::SettingOutOfRange, "the number of terms is 0");
         return Err(finding.at(terms_origin).hint("give at least one: `terms = 5`"));
@@ -207,7 +218,7 @@ impl Solver for SineSolver {
         let symbols = self.operator_on(&v, t, params)?;
         let collocation = Collocation::new(&modes, &self.orders_in_u, &u);
         let count = self.basis.len();
-        let mode_count = modes.len();
+        let mode_count = modes.count();
         let mut coefficients: Vec<Coefficients> = vec![vec![[0.0; 3]; mode_count * count]; self.orders_in_t + 1];
         let mut report = self.empty_report();
         let components = if self.is_vector { 3 } else { 1 };
