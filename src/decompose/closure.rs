@@ -23,10 +23,19 @@ pub struct Closure {
     pub graph: Graph,
     /// The functions: the basis, in order, then those added, each with the place of what it came from.
     pub functions: Vec<(ExprId, Option<Span>)>,
-    /// For each derivative in v and t of the equation, for each function j, the pairs (k, A_jk).
-    pub derivatives: Vec<(Derivative, Vec<Vec<(usize, ExprId)>>)>,
+    /// The matrix A of each derivative in v and t of the equation.
+    pub derivatives: Vec<DerivativeMatrix>,
     /// The x, y and z of the force in front of each function, functions of u and the params.
     pub force: Vec<[ExprId; 3]>,
+}
+
+/// `∂F_j = Σ_k A_jk F_k`
+#[derive(Debug, Clone)]
+pub struct DerivativeMatrix {
+    /// Which derivative.
+    pub orders: Derivative,
+    /// For each function j, the pairs (k, A_jk) that are not zero.
+    pub rows: Vec<Vec<(usize, ExprId)>>,
 }
 
 /// Closes the basis of `decomposition`, enlarged by the functions of the force.
@@ -46,12 +55,12 @@ pub fn close(decomposition: &Decomposition, limits: &Limits) -> Result<Closure, 
         force_terms.push(monomials);
     }
     let wanted = operator.basis_derivatives();
-    let mut derivatives: Vec<(Derivative, Vec<Vec<(usize, ExprId)>>)> =
-        wanted.iter().map(|orders| (*orders, Vec::new())).collect();
+    let mut derivatives: Vec<DerivativeMatrix> =
+        wanted.into_iter().map(|orders| DerivativeMatrix { orders, rows: Vec::new() }).collect();
     let mut next = 0;
     while let Some((&function, &origin)) = functions.get_index(next) {
         check_closes(&graph, function, origin)?;
-        for (orders, rows) in &mut derivatives {
+        for DerivativeMatrix { orders, rows } in &mut derivatives {
             let derivative = graph
                 .derivative(function, *orders)
                 .map_err(|fault| super::not_differentiable(fault, *orders, origin))?;

@@ -13,7 +13,7 @@ mod closure;
 mod expand;
 mod text;
 
-pub use closure::{Closure, close};
+pub use closure::{Closure, DerivativeMatrix, close};
 
 use indexmap::IndexMap;
 use rustc_hash::FxBuildHasher;

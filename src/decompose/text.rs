@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::Decomposition;
+use super::{Closure, Decomposition};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::expr::{ExprId, Notation};
 use crate::limits::Limits;
@@ -76,6 +76,48 @@ impl Decomposition {
                     let value = self.text_of(*expr, notation, limits)?;
                     line(&mut text, format_args!("  F{}_{orders} = {value}", index + 1));
                 }
+            }
+        }
+        Ok(text)
+    }
+}
+
+impl Closure {
+    /// The functions that the closure adds to a basis of `basis_size`, and what each derivative of the equation
+    /// makes of every function.
+    ///
+    /// # Errors
+    /// [`Code::LimitReached`] for an expression longer than [`Limits::text_bytes`].
+    pub fn to_text(&self, basis_size: usize, notation: Notation, limits: &Limits) -> Result<String, Diagnostic> {
+        let text_of = |expr: ExprId| {
+            self.graph.text(expr, notation, limits.text_bytes).map_err(|too_long| {
+                let message = format!("an expression is longer than the limit `text-bytes` of {}", too_long.allowed);
+                Diagnostic::new(Code::LimitReached, message)
+            })
+        };
+        let mut text = String::new();
+        let added = self.functions.len().saturating_sub(basis_size);
+        line(
+            &mut text,
+            format_args!("closure: {} functions, {added} added without boundary data", self.functions.len()),
+        );
+        for (index, (function, _)) in self.functions.iter().enumerate().skip(basis_size) {
+            line(&mut text, format_args!("  F{} = {}", index + 1, text_of(*function)?));
+        }
+        for matrix in &self.derivatives {
+            line(&mut text, format_args!("\nderivative {}, where not zero", matrix.orders));
+            for (j, row) in matrix.rows.iter().enumerate().filter(|(_, row)| !row.is_empty()) {
+                let mut terms = Vec::with_capacity(row.len());
+                for (k, factor) in row {
+                    let factor = text_of(*factor)?;
+                    terms.push(match factor.as_str() {
+                        "1" => format!("F{}", k + 1),
+                        "-1" => format!("-F{}", k + 1),
+                        sum if sum.contains(' ') => format!("({sum}) F{}", k + 1),
+                        atom => format!("{atom} F{}", k + 1),
+                    });
+                }
+                line(&mut text, format_args!("  ∂F{} = {}", j + 1, terms.join(" + ")));
             }
         }
         Ok(text)

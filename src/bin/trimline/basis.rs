@@ -4,8 +4,8 @@ use clap::Args;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
-use trimline::decompose::Decomposition;
-use trimline::diagnostic::Diagnostic;
+use trimline::decompose::{Decomposition, close};
+use trimline::diagnostic::{Code, Diagnostic};
 use trimline::expr::{ExprId, Notation};
 use trimline::limits::Limits;
 
@@ -22,6 +22,10 @@ pub struct Arguments {
     #[command(flatten)]
     reading: Reading,
 
+    /// Also the closure under the equation's derivatives, which the method `exact` solves on.
+    #[arg(long)]
+    closure: bool,
+
     /// How to print.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -37,6 +41,9 @@ struct PatchBasis {
     name: String,
     basis: Vec<Function>,
     conditions: Vec<Condition>,
+    /// The functions that the closure adds.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    closure: Option<Vec<String>>,
 }
 
 #[derive(Serialize)]
@@ -65,10 +72,20 @@ pub fn run(arguments: &Arguments, _terminal: &Terminal) -> Outcome {
             Format::Text => {
                 let text = decomposition.to_text(Notation::Unicode, &spec.limits);
                 texts.push(text.map_err(|finding| spec.fault(finding))?);
+                if arguments.closure {
+                    let text = close(&decomposition, &spec.limits).and_then(|closure| {
+                        closure.to_text(decomposition.basis.len(), Notation::Unicode, &spec.limits)
+                    });
+                    texts.push(text.map_err(|finding| spec.fault(finding))?);
+                }
             }
             Format::Json => {
                 let basis = patch_basis(&decomposition, spec.bindings.as_slice(), &spec.limits);
-                patches.push(basis.map_err(|finding| spec.fault(finding))?);
+                let mut basis = basis.map_err(|finding| spec.fault(finding))?;
+                if arguments.closure {
+                    basis.closure = Some(added(&decomposition, &spec.limits).map_err(|finding| spec.fault(finding))?);
+                }
+                patches.push(basis);
             }
         }
     }
@@ -104,5 +121,13 @@ fn patch_basis(decomposition: &Decomposition, params: &[f64], limits: &Limits) -
             values: rows.map(|vector| vector.map(value)).collect(),
         });
     }
-    Ok(PatchBasis { name: decomposition.patch.name.clone(), basis, conditions })
+    Ok(PatchBasis { name: decomposition.patch.name.clone(), basis, conditions, closure: None })
+}
+
+/// The functions that the closure adds to the basis.
+fn added(decomposition: &Decomposition, limits: &Limits) -> Result<Vec<String>, Diagnostic> {
+    let closure = close(decomposition, limits)?;
+    let too_long = |_| Diagnostic::new(Code::LimitReached, "an expression is longer than the limit `text-bytes`");
+    let functions = closure.functions.iter().skip(decomposition.basis.len());
+    functions.map(|(expr, _)| closure.graph.text(*expr, Notation::Ascii, limits.text_bytes).map_err(too_long)).collect()
 }

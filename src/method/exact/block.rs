@@ -7,6 +7,7 @@
 use nalgebra::{DMatrix, Dyn, LU};
 
 /// Functions of u at the nodes: for each order, a row per node, a column per cardinal and trial function.
+#[derive(Clone)]
 pub struct Tables {
     /// Values by order of derivative.
     pub values: Vec<DMatrix<f64>>,
@@ -34,6 +35,20 @@ impl BlockSystem {
             [all] => *all,
             _ => values.get(node).copied().unwrap_or(f64::NAN),
         }
+    }
+
+    /// Whether the derivatives of order `order` follow from the rest of the block, at every node.
+    pub fn determines_highest(&self, order: usize) -> bool {
+        let nodes = self.entries.iter().map(|(.., values)| values.len()).max().unwrap_or(1);
+        (0..nodes).all(|node| {
+            let mut leading = DMatrix::zeros(self.members, self.members);
+            for (_, equation, unknown, values) in self.entries.iter().filter(|(found, ..)| *found == order) {
+                if let Some(slot) = leading.get_mut((*equation, *unknown)) {
+                    *slot = Self::entry(values, node);
+                }
+            }
+            leading.lu().is_invertible()
+        })
     }
 
     /// Applies the block to functions given by coefficients of the columns `from..` of the tables: rows are nodes of
@@ -111,6 +126,36 @@ impl Factorised {
             vector = image / length;
         }
         growth.max(1.0)
+    }
+}
+
+impl Factorised {
+    /// How far a coefficient of the equation is from the nearest value that makes the block singular, given the
+    /// derivative of the block's matrix in that coefficient: the block is singular at a distance of -1/μ for each
+    /// eigenvalue μ of A⁻¹ ∂A, and the largest |μ| is found by power iteration.
+    ///
+    /// `None` if no single eigenvalue dominates.
+    pub fn distance_to_singular(&self, derivative: &DMatrix<f64>) -> Option<f64> {
+        let size = derivative.nrows();
+        let mut vector =
+            DMatrix::from_fn(size, 1, |row, _| 1.0 / (1.0 + row as f64) + 0.1 * f64::from(u8::from(row % 3 == 0)));
+        let mut eigenvalue = 0.0;
+        for _ in 0..4 * ITERATIONS {
+            let image = self.lu.solve(&(derivative * &vector))?;
+            eigenvalue = image.dot(&vector) / vector.dot(&vector);
+            let miss = (&image - &vector * eigenvalue).norm();
+            let length = image.norm();
+            if !length.is_finite() || length == 0.0 {
+                return None;
+            }
+            if miss <= 1e-9 * length {
+                break;
+            }
+            vector = image / length;
+        }
+        let image = self.lu.solve(&(derivative * &vector))?;
+        let is_dominant = (&image - &vector * eigenvalue).norm() <= 1e-4 * image.norm();
+        is_dominant.then(|| -1.0 / eigenvalue)
     }
 }
 

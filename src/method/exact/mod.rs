@@ -6,6 +6,7 @@
 //! function of the closure times any smooth function of u; any order in u and any boundary conditions that determine
 //! a surface are treated.
 
+mod amplification;
 mod block;
 mod system;
 
@@ -16,9 +17,9 @@ use rustc_hash::FxHashMap;
 
 use super::{Method, Options, Report, Solution, Solver};
 use crate::decompose::{Closure, Decomposition, close};
-use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
+use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::eval::{Backend, Evaluator, Program, Samples, compile};
-use crate::expr::{ExprId, Notation};
+use crate::expr::{ExprId, Node, Notation};
 use crate::limits::Limits;
 use crate::numeric::{NodeKind, nodes};
 use crate::surface::{Basis, Coefficients, SeparableSurface};
@@ -86,6 +87,7 @@ impl Method for Exact {
             basis_size: decomposition.basis.len(),
             origins: functions.iter().map(|(_, origin)| *origin).collect(),
             names: names.collect(),
+            coefficients: coefficient_symbols(decomposition),
             has_force: forces.iter().any(|expr| !graph.is_zero(*expr)),
             entries_vary: varies_with_u(&entries),
             entry_values: interpreted(&entries),
@@ -107,6 +109,8 @@ struct ExactSolver {
     basis_size: usize,
     origins: Vec<Option<Span>>,
     names: Vec<String>,
+    /// The symbols in the equation's coefficients, with their names.
+    coefficients: Vec<(usize, String)>,
     has_force: bool,
     entries_vary: bool,
     system: System,
@@ -129,9 +133,19 @@ struct Progress<'a> {
     discretisations: FxHashMap<usize, Arc<Discretisation>>,
     /// Factorised blocks by their numbers.
     factorised: FxHashMap<(usize, Vec<u64>), Arc<Factorised>>,
-    amplification: (f64, usize),
+    worst: Option<Amplified>,
 }
 
+/// The block that amplifies most.
+struct Amplified {
+    factor: f64,
+    members: Vec<usize>,
+    component: usize,
+    terms: usize,
+    factorised: Arc<Factorised>,
+}
+
+#[derive(Clone)]
 struct Discretisation {
     tables: Tables,
     entries: Vec<Vec<f64>>,
@@ -156,7 +170,7 @@ impl Solver for ExactSolver {
             solved: vec![None; self.basis.len()],
             discretisations: FxHashMap::default(),
             factorised: FxHashMap::default(),
-            amplification: (1.0, 0),
+            worst: None,
         };
         for members in &self.system.blocks {
             self.solve_block(members, &mut progress)?;
@@ -180,7 +194,8 @@ impl Solver for ExactSolver {
             coefficients: vec![coefficients],
             instant: None,
         };
-        let (amplification, j) = progress.amplification;
+        let amplification = progress.worst.as_ref().map_or(1.0, |worst| worst.factor);
+        let warnings = self.judge(&mut progress)?;
         let unknowns = terms * count;
         let report = Report {
             method: Exact.name(),
@@ -192,7 +207,7 @@ impl Solver for ExactSolver {
             amplification: Some(amplification),
             rank: unknowns,
             unknowns,
-            warnings: self.judge(amplification, j)?,
+            warnings,
         };
         Ok(Solution { surface: Arc::new(surface), report })
     }
@@ -264,6 +279,9 @@ impl ExactSolver {
             return Ok(DMatrix::zeros(members.len() * terms, columns.len()));
         }
         let j = members.first().copied().unwrap_or(0);
+        if !block.determines_highest(self.order) {
+            return Err(self.order_drops(j));
+        }
         let key = (
             terms,
             block
@@ -281,8 +299,14 @@ impl ExactSolver {
                 let factorised = Factorised::new(block.matrix(&discretisation.tables, trial.clone()));
                 let factorised = Arc::new(factorised.ok_or_else(|| self.resonant(f64::INFINITY, j))?);
                 let amplification = factorised.amplification(&block.definite_matrix(&discretisation.tables, trial));
-                if amplification > progress.amplification.0 {
-                    progress.amplification = (amplification, j);
+                if progress.worst.as_ref().is_none_or(|worst| amplification > worst.factor) {
+                    progress.worst = Some(Amplified {
+                        factor: amplification,
+                        members: members.to_vec(),
+                        component,
+                        terms,
+                        factorised: Arc::clone(&factorised),
+                    });
                 }
                 progress.factorised.insert(key, Arc::clone(&factorised));
                 factorised
@@ -368,9 +392,7 @@ impl ExactSolver {
             DMatrix::from_row_slice(u.len(), modes.count(), &rows)
         };
         let tables = Tables { values: (0..=self.order).map(table).collect(), cardinal: self.orders.len() };
-        let at: &[f64] = if self.entries_vary { &u } else { u.get(..1).unwrap_or(&[]) };
-        let entries = evaluate(&*self.entry_values, progress.params, at)?;
-        let entries: Vec<Vec<f64>> = entries.chunks(at.len().max(1)).map(<[f64]>::to_vec).collect();
+        let entries = self.entries_at(progress.params, terms, progress.range)?;
         let forces = if self.has_force { evaluate(&*self.force_values, progress.params, &u)? } else { Vec::new() };
         if forces.iter().chain(entries.iter().flatten()).any(|value| !value.is_finite()) {
             let message = "a coefficient or the force of the equation is not finite inside the domain";
@@ -382,29 +404,12 @@ impl ExactSolver {
         Ok(discretisation)
     }
 
-    /// What an amplification means for the user.
-    fn judge(&self, amplification: f64, j: usize) -> Result<Diagnostics, Diagnostic> {
-        if amplification > 1e10 {
-            return Err(self.resonant(amplification, j));
-        }
-        if amplification < 10.0 {
-            return Ok(Diagnostics::new());
-        }
-        let code = if amplification < 1e3 { Code::Amplified } else { Code::NearlyResonant };
-        let message = format!(
-            "along `{}` the equation amplifies {amplification:.1e} times; expect a relative error of {:.1e}",
-            self.name(j),
-            amplification * f64::EPSILON
-        );
-        Ok(vec![Diagnostic::new(code, message).at(self.origin(j))])
-    }
-
-    fn resonant(&self, amplification: f64, j: usize) -> Diagnostic {
-        let how = if amplification.is_finite() { format!(" ({amplification:.1e} times)") } else { String::new() };
-        let message = format!("the equation is resonant along `{}`: it has no reliable solution{how}", self.name(j));
-        Diagnostic::new(Code::Resonant, message)
-            .at(self.origin(j))
-            .hint("change a coefficient of the equation a little, or choose a fitted method such as `sine`")
+    /// The entries of the system at the nodes, or at one node if they do not depend on u.
+    fn entries_at(&self, params: &[f64], terms: usize, range: [f64; 2]) -> Result<Vec<Vec<f64>>, Diagnostic> {
+        let u = nodes(NodeKind::Gauss, terms, range);
+        let at = if self.entries_vary { &u[..] } else { u.get(..1).unwrap_or(&[]) };
+        let entries = evaluate(&*self.entry_values, params, at)?;
+        Ok(entries.chunks(at.len().max(1)).map(<[f64]>::to_vec).collect())
     }
 
     fn name(&self, j: usize) -> &str {
@@ -414,6 +419,18 @@ impl ExactSolver {
     fn origin(&self, j: usize) -> Option<Span> {
         self.origins.get(j).copied().flatten()
     }
+}
+
+/// The symbols that the coefficients of the equation are made of.
+fn coefficient_symbols(decomposition: &Decomposition) -> Vec<(usize, String)> {
+    let graph = &decomposition.graph;
+    let coefficients: Vec<ExprId> =
+        decomposition.patch.operator.terms.iter().flat_map(|term| term.coefficient).collect();
+    let symbol = |part: ExprId| match graph.node(part) {
+        Node::Symbol(symbol) => Some((symbol.index(), graph.symbol_name(*symbol).to_owned())),
+        _ => None,
+    };
+    graph.reachable(&coefficients).into_iter().filter_map(symbol).collect()
 }
 
 /// Whether the last four weights of every member are below `tolerance` times the largest.

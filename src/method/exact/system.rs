@@ -42,7 +42,7 @@ impl System {
         let mut parts: BTreeMap<Place, Vec<ExprId>> = BTreeMap::new();
         for term in &operator.terms {
             let along = crate::expr::Derivative { u: 0, ..term.derivative };
-            let rows = closure.derivatives.iter().find(|(orders, _)| *orders == along).map(|(_, rows)| rows);
+            let rows = closure.derivatives.iter().find(|matrix| matrix.orders == along).map(|matrix| &matrix.rows);
             for unknown in 0..closure.functions.len() {
                 let identity = [(unknown, one)];
                 let row = rows.map_or(&identity[..], |rows| rows.get(unknown).map_or(&[][..], Vec::as_slice));

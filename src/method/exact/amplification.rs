@@ -1,0 +1,85 @@
+//! What near-resonance means for a solution: its expected error, and the coefficients to stay away from.
+//!
+//! The residual of the equation does not reveal it, so it is measured: see [`Factorised`](super::block::Factorised).
+//! Below 10 nothing is said; to 1e3 a note, to 1e10 a warning, above that there is no solution to rely on.
+
+use super::{Amplified, Discretisation, ExactSolver, Progress};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics};
+
+/// Critical values shown in a message.
+const SHOWN: usize = 2;
+
+impl ExactSolver {
+    /// What the largest amplification means for the user.
+    pub(super) fn judge(&self, progress: &mut Progress<'_>) -> Result<Diagnostics, Diagnostic> {
+        let Some(worst) = progress.worst.take().filter(|worst| worst.factor >= 10.0) else {
+            return Ok(Diagnostics::new());
+        };
+        let j = worst.members.first().copied().unwrap_or(0);
+        let critical = self.critical_value(&worst, progress)?;
+        let hint = |finding: Diagnostic| match &critical {
+            Some(critical) => finding.hint(format!("there is no solution at {critical}")),
+            None => finding,
+        };
+        if worst.factor > 1e10 {
+            return Err(hint(self.resonant(worst.factor, j)));
+        }
+        let code = if worst.factor < 1e3 { Code::Amplified } else { Code::NearlyResonant };
+        let message = format!(
+            "along `{}` the equation amplifies {:.1e} times; expect a relative error of {:.1e}",
+            self.name(j),
+            worst.factor,
+            worst.factor * f64::EPSILON
+        );
+        Ok(vec![hint(Diagnostic::new(code, message).at(self.origin(j)))])
+    }
+
+    /// The nearest value of each coefficient of the equation that makes a block singular, those that are relatively
+    /// nearest first: `eta = -113.615, or at gamma = 10.01`.
+    fn critical_value(&self, worst: &Amplified, progress: &mut Progress<'_>) -> Result<Option<String>, Diagnostic> {
+        let discretisation = self.discretise(worst.terms, progress)?;
+        let (here, _) = self.block_of(&worst.members, worst.component, &discretisation, worst.terms, progress);
+        let cardinal = discretisation.tables.cardinal;
+        let mut critical: Vec<(f64, String)> = Vec::new();
+        for (symbol, name) in &self.coefficients {
+            let Some(value) = progress.params.get(*symbol).copied() else { continue };
+            let mut params = progress.params.to_vec();
+            if let Some(slot) = params.get_mut(*symbol) {
+                *slot += 1.0;
+            }
+            let moved = self.entries_at(&params, worst.terms, progress.range)?;
+            let moved = Discretisation { entries: moved, ..Discretisation::clone(&discretisation) };
+            let (moved, _) = self.block_of(&worst.members, worst.component, &moved, worst.terms, progress);
+            // The entries are linear in the equation's coefficients, so a difference is the derivative.
+            let trial = cardinal..cardinal + worst.terms;
+            let derivative =
+                moved.matrix(&discretisation.tables, trial.clone()) - here.matrix(&discretisation.tables, trial);
+            let Some(distance) = worst.factorised.distance_to_singular(&derivative) else { continue };
+            let relative = distance.abs() / value.abs().max(f64::MIN_POSITIVE);
+            critical.push((relative, format!("{name} = {:.6}", value + distance)));
+        }
+        critical.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+        let shown: Vec<String> = critical.into_iter().take(SHOWN).map(|(_, text)| text).collect();
+        Ok((!shown.is_empty()).then(|| shown.join(", or at ")))
+    }
+
+    /// The finding for an equation whose order in u drops below the number of conditions.
+    pub(super) fn order_drops(&self, j: usize) -> Diagnostic {
+        let order = self.order;
+        let message = format!(
+            "along `{}` the coefficient of the derivative of order {order} in u is 0, so {order} conditions cannot be met",
+            self.name(j)
+        );
+        Diagnostic::new(Code::OrderDrops, message).at(self.origin(j)).hint(
+            "the method `sine` meets the conditions and the equation as well as it can, in the sense of least squares",
+        )
+    }
+
+    pub(super) fn resonant(&self, amplification: f64, j: usize) -> Diagnostic {
+        let how = if amplification.is_finite() { format!(" ({amplification:.1e} times)") } else { String::new() };
+        let message = format!("the equation is resonant along `{}`: it has no reliable solution{how}", self.name(j));
+        Diagnostic::new(Code::Resonant, message)
+            .at(self.origin(j))
+            .hint("change a coefficient of the equation a little, or choose a fitted method such as `sine`")
+    }
+}
