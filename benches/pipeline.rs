@@ -46,7 +46,7 @@ fn stages(criterion: &mut Criterion) {
 
     let settings = Settings::read(&patch.solve.settings).expect("the example's settings are valid");
     let options = Options { settings, ..Options::default() };
-    let method = choose(None, None, &decomposition).expect("a method accepts the example");
+    let method = choose(Some("sine"), None, &decomposition).expect("the method accepts the example");
     group.bench_function("prepare", |b| b.iter(|| method.prepare(black_box(&decomposition), &options)));
 
     let solver = method.prepare(&decomposition, &options).expect("the example can be prepared");
@@ -60,6 +60,16 @@ fn stages(criterion: &mut Criterion) {
     group.bench_function("tessellate 64x128", |b| {
         b.iter(|| tessellate("eq29_30", &*solution.surface, (domain.u, domain.v), black_box(0.5), grid));
     });
+
+    for name in ["exact", "sine"] {
+        let method = choose(Some(name), None, &decomposition).expect("both methods accept the example");
+        let settings = Settings::read(&patch.solve.settings).expect("the example's settings are valid");
+        let options = Options { settings: settings.only(method.settings()), ..Options::default() };
+        let solver = method.prepare(&decomposition, &options).expect("the example can be prepared");
+        group.bench_function(format!("solve by {name}"), |b| {
+            b.iter(|| solver.solve(black_box(bindings.as_slice()), ranges, 0.5));
+        });
+    }
 
     group.bench_function("text to first point", |b| b.iter(|| first_point(black_box(&source))));
     group.finish();

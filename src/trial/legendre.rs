@@ -1,15 +1,16 @@
-//! Integrals of Legendre polynomials: φ_k is an n-fold integral of L_(k-1), so φ_k^(n) is the polynomial itself.
+//! Integrals of Legendre polynomials: for an equation of order n, φ_k is an n/2-fold integral of L_(k-1+n/2).
 //!
 //! With x from -1 to 1 over the range, ∫ L_k = (L_(k+1) - L_(k-1)) / (2k + 1); constants of integration do not
-//! matter, since trial functions are corrected at the boundary. Expanding the highest derivative, not the function,
-//! keeps the systems of an equation of order n well conditioned for any number of functions.
+//! matter, since trial functions are corrected at the boundary. Expanding the derivative of half the order, the one
+//! that the equation's energy contains, keeps both ends in balance: expanding S itself loses digits in the highest
+//! derivative, expanding the highest derivative loses them in S where layers are thin.
 
 use super::TrialFamily;
 
-/// n-fold integrals of L_0, L_1, …
+/// Integrals of Legendre polynomials of degree n/2 and up.
 #[derive(Debug, Clone)]
 pub struct IntegratedLegendre {
-    /// For m = 0 … n the m-fold integrals of L_0, L_1, …, as pairs of degree and Legendre coefficient.
+    /// For m = 0 … n/2 the m-fold integrals of the polynomials, as pairs of degree and Legendre coefficient.
     integrals: Vec<Vec<Vec<(usize, f64)>>>,
 }
 
@@ -17,15 +18,18 @@ impl IntegratedLegendre {
     /// `count` functions for an equation of order `order`.
     #[must_use]
     pub fn new(order: usize, count: usize) -> Self {
-        let mut integrals: Vec<Vec<Vec<(usize, f64)>>> = vec![(0..count).map(|k| vec![(k, 1.0)]).collect()];
-        for _ in 0..order {
+        let integrations = order / 2;
+        // Polynomials of lower degree than the order are the cardinal functions' own.
+        let lowest = order - integrations;
+        let mut integrals: Vec<Vec<Vec<(usize, f64)>>> = vec![(0..count).map(|k| vec![(k + lowest, 1.0)]).collect()];
+        for _ in 0..integrations {
             let next = integrals.last().into_iter().flatten().map(|series| integral(series)).collect();
             integrals.push(next);
         }
         IntegratedLegendre { integrals }
     }
 
-    fn order(&self) -> usize {
+    fn integrations(&self) -> usize {
         self.integrals.len() - 1
     }
 }
@@ -78,11 +82,13 @@ impl TrialFamily for IntegratedLegendre {
     }
 
     fn derivatives(&self, count: usize, order: usize, u: f64, [low, high]: [f64; 2]) -> Vec<f64> {
-        // dx/du; φ_k is scaled so that its derivative of order n in u is L_(k-1) itself.
+        // dx/du; φ_k is scaled so that its derivative of order n/2 in u is the polynomial itself.
         let slope = 2.0 / (high - low);
         let x = (u - low) * slope - 1.0;
-        let (integrations, differentiations) = (self.order().saturating_sub(order), order.saturating_sub(self.order()));
-        let values = legendre(count + integrations + 1, differentiations, x);
+        let most = self.integrations();
+        let (integrations, differentiations) = (most.saturating_sub(order), order.saturating_sub(most));
+        // Degrees from n - n/2, at most n/2 + 1, upwards, and up to n/2 higher by integration.
+        let values = legendre(count + 2 * most + 2, differentiations, x);
         let exponent = i32::try_from(differentiations).unwrap_or(i32::MAX) - i32::try_from(integrations).unwrap_or(0);
         let factor = slope.powi(exponent);
         let series = self.integrals.get(integrations).into_iter().flatten().take(count);

@@ -8,5 +8,6 @@ mod analytic;
 mod cli;
 mod documents;
 mod evaluators;
+mod exact;
 mod exports;
 mod meshes;

@@ -38,7 +38,7 @@ impl ExactSolver {
     /// nearest first: `eta = -113.615, or at gamma = 10.01`.
     fn critical_value(&self, worst: &Amplified, progress: &mut Progress<'_>) -> Result<Option<String>, Diagnostic> {
         let discretisation = self.discretise(worst.terms, progress)?;
-        let (here, _) = self.block_of(&worst.members, worst.component, &discretisation, worst.terms, progress);
+        let (here, ..) = self.block_of(&worst.members, worst.component, &discretisation, worst.terms, progress);
         let cardinal = discretisation.tables.cardinal;
         let mut critical: Vec<(f64, String)> = Vec::new();
         for (symbol, name) in &self.coefficients {
@@ -49,7 +49,7 @@ impl ExactSolver {
             }
             let moved = self.entries_at(&params, worst.terms, progress.range)?;
             let moved = Discretisation { entries: moved, ..Discretisation::clone(&discretisation) };
-            let (moved, _) = self.block_of(&worst.members, worst.component, &moved, worst.terms, progress);
+            let (moved, ..) = self.block_of(&worst.members, worst.component, &moved, worst.terms, progress);
             // The entries are linear in the equation's coefficients, so a difference is the derivative.
             let trial = cardinal..cardinal + worst.terms;
             let derivative =

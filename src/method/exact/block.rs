@@ -51,6 +51,12 @@ impl BlockSystem {
         })
     }
 
+    /// The largest coefficient of a derivative of order `order`.
+    pub fn leading(&self, order: usize) -> f64 {
+        let of_order = self.entries.iter().filter(|(found, ..)| *found == order);
+        of_order.flat_map(|(.., values)| values).fold(0.0, |most: f64, value| most.max(value.abs()))
+    }
+
     /// Applies the block to functions given by coefficients of the columns `from..` of the tables: rows are nodes of
     /// the first member's equation, then of the second's.
     pub fn matrix(&self, tables: &Tables, columns: std::ops::Range<usize>) -> DMatrix<f64> {
