@@ -4,6 +4,9 @@
 #![allow(clippy::indexing_slicing)]
 
 mod analytic;
+mod decompositions;
 mod evaluators;
 mod exports;
 mod meshes;
+mod reference;
+mod spec;
