@@ -5,8 +5,10 @@
 
 mod analytic;
 mod decompositions;
+mod derivatives;
 mod evaluators;
 mod exports;
+mod language;
 mod meshes;
 mod reference;
 mod spec;
