@@ -62,7 +62,7 @@ pub fn resolve(
         return Err(found);
     }
     let operator = match statement.and_then(|statement| statement.sides.map(|sides| (statement, sides))) {
-        None => Ok(PdeOperator { origin: statement.map(|statement| statement.span), ..PdeOperator::standard(graph) }),
+        None => Ok(standard(graph, &scope, stated, statement)),
         Some((statement, sides)) => {
             let mut lowering = Lowering { tree: &document.tree, graph, scope: &scope, limits };
             text_equation(&mut lowering, statement, sides)
@@ -74,6 +74,25 @@ pub fn resolve(
         .filter(|(name, _)| !is_used(graph, &operator, parameters, &name.text, document, sides_of(statement)));
     let unused: Diagnostics = unused.map(|(name, _)| unused_coefficient(name)).collect();
     if unused.is_empty() { Ok(operator) } else { Err(unused) }
+}
+
+/// The standard equation; a stated coefficient that is a vector or depends on u, v or t stands for itself.
+fn standard(
+    graph: &mut Graph,
+    scope: &Scope,
+    stated: &[(Name, Expression)],
+    statement: Option<&PdeStatement>,
+) -> PdeOperator {
+    let mut operator = PdeOperator::standard(graph);
+    operator.origin = statement.map(|statement| statement.span);
+    for (name, derivative, _) in STANDARD_COEFFICIENTS {
+        let is_stated = stated.iter().any(|(stated, _)| stated.text == name);
+        let term = operator.terms.iter_mut().find(|term| term.derivative == derivative);
+        if let (true, Some(Meaning::Value(value)), Some(term)) = (is_stated, scope.meaning(name), term) {
+            term.coefficient = components(*value);
+        }
+    }
+    operator
 }
 
 fn sides_of(statement: Option<&PdeStatement>) -> Option<[Expression; 2]> {
