@@ -51,14 +51,16 @@ impl Lowering<'_> {
 
     /// The value of `root`, which must not contain S.
     pub fn value(&mut self, root: Expression) -> Result<Value, Diagnostic> {
-        let form = self.form(root)?;
-        if form.unknown.is_empty() {
-            return Ok(form.value);
+        // Looked for first: lowering would judge S as part of an equation.
+        let mut parts = self.tree.parts(root).into_iter();
+        match parts.find(|part| matches!(self.tree.node(*part).kind, Kind::Unknown(_))) {
+            None => Ok(self.form(root)?.value),
+            Some(unknown) => {
+                let finding =
+                    Diagnostic::new(Code::NotBoundaryData, "`S` is what is to be found, so it cannot stand here");
+                Err(finding.at(self.tree.span(unknown)))
+            }
         }
-        let unknown =
-            self.tree.parts(root).into_iter().find(|part| matches!(self.tree.node(*part).kind, Kind::Unknown(_)));
-        let span = self.tree.span(unknown.unwrap_or(root));
-        Err(Diagnostic::new(Code::NotBoundaryData, "`S` is what is to be found, so it cannot stand here").at(span))
     }
 
     /// The value of `root`, which must be a number.
