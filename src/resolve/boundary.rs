@@ -6,7 +6,7 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 use crate::expr::{ExprId, Variable};
 use crate::numeric::CardinalPolynomials;
 use crate::problem::{BoundaryCondition, describe_condition};
-use crate::syntax::ast::{Boundary, Constraint};
+use crate::syntax::ast::{Boundary, Constraint, Kind};
 
 /// A condition that is still being collected.
 struct Collected {
@@ -110,8 +110,18 @@ fn add(
             wanted
         }
     };
-    for expr in wanted.into_iter().flatten() {
-        if lowering.graph.dependence(expr).u {
+    // A vector that is written out has a place for each component.
+    let places = match &lowering.tree.node(constraint.value).kind {
+        Kind::Vector(parts) => match parts.as_slice() {
+            [x, y, z] => [x, y, z].map(|part| lowering.tree.span(*part)),
+            _ => [place; 3],
+        },
+        _ => [place; 3],
+    };
+    for (expr, place) in wanted.into_iter().zip(places) {
+        if let Some(expr) = expr
+            && lowering.graph.dependence(expr).u
+        {
             return Err(depends_on_u(expr, u, position, place, lowering));
         }
     }
@@ -121,7 +131,7 @@ fn add(
         collected.len() - 1
     });
     let Some(condition) = collected.get_mut(index) else { return Ok(()) };
-    for (component, (slot, expr)) in condition.value.iter_mut().zip(wanted).enumerate() {
+    for (component, ((slot, expr), place)) in condition.value.iter_mut().zip(wanted).zip(places).enumerate() {
         match (slot.as_ref(), expr) {
             (Some((_, first)), Some(_)) => {
                 let what = describe_condition(Some(component), order, position);
