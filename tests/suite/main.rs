@@ -6,6 +6,7 @@
 mod analytic;
 mod decompositions;
 mod derivatives;
+mod diagnostics;
 mod evaluators;
 mod exports;
 mod language;
