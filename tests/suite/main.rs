@@ -4,9 +4,11 @@
 #![allow(clippy::indexing_slicing)]
 
 mod analytic;
+mod architecture;
 mod decompositions;
 mod derivatives;
 mod diagnostics;
+mod display;
 mod evaluators;
 mod exports;
 mod language;
