@@ -14,9 +14,12 @@ use crate::expr::{Derivative, ExprId, Graph, Notation};
 pub struct Basis {
     functions: Vec<(ExprId, Option<Span>)>,
     names: Vec<String>,
-    compiled: Mutex<(Graph, FxHashMap<Derivative, Arc<dyn Evaluator>>)>,
+    compiled: Mutex<(Graph, Compiled)>,
     backend: Backend,
 }
+
+/// An evaluator of every function for each derivative that was asked for.
+type Compiled = FxHashMap<Derivative, Arc<dyn Evaluator>>;
 
 /// Longer functions are cut in messages.
 const NAME_BYTES: usize = 80;
