@@ -2,7 +2,7 @@
 
 use super::lower::{Lowering, components};
 use super::scope::Value;
-use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, MOST_FINDINGS, Span};
 use crate::expr::{ExprId, Variable};
 use crate::numeric::CardinalPolynomials;
 use crate::problem::{BoundaryCondition, describe_condition};
@@ -41,10 +41,16 @@ pub fn resolve(
                 for constraint in &boundary.constraints {
                     if let Err(finding) = add(constraint, (u, position), order_in_u, lowering, &mut collected) {
                         found.push(finding);
+                        if found.len() >= MOST_FINDINGS {
+                            return Err(found);
+                        }
                     }
                 }
             }
             Err(finding) => found.push(finding),
+        }
+        if found.len() >= MOST_FINDINGS {
+            return Err(found);
         }
     }
     if !found.is_empty() {
