@@ -80,7 +80,8 @@ at u = 1: S = 0, dS/du = 0";
 
 #[test]
 fn every_listed_function_is_accepted_with_its_value() {
-    let listed: [(&str, fn(f64) -> f64); 24] = [
+    type Value = fn(f64) -> f64;
+    let listed: [(&str, Value); 24] = [
         ("sin", f64::sin),
         ("cos", f64::cos),
         ("tan", f64::tan),
@@ -329,6 +330,22 @@ fn coefficient_of_the_equation_may_depend_on_v_and_t() {
     let text = format!("pde with γ = 2 + cos v, ρ = t\n{BOUNDARY}");
     let solution = Prepared::new(&text, &[]).solve(0.5);
     assert!((at(&*solution.surface, "", [1.0, 0.0, 0.5])[2] - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn coefficient_of_the_default_equation_may_be_a_vector() {
+    let text = format!("param a = 3\npde with γ = [1, 2, a]\n{BOUNDARY}");
+    let terms = terms_of(&text);
+    let mixed = terms.iter().find(|(derivative, _)| *derivative == Derivative::new(2, 2, 0)).expect("a term");
+    assert_eq!(*mixed, term(2, 2, 0, ["1", "2", "a"]));
+}
+
+#[test]
+fn numbers_at_the_edge_of_128_bits_are_read_and_solved() {
+    for number in ["(-2^126 - 2^126)", "(-2*2^126)", "1/(-2^126 - 2^126)", "(2^126 + 2^126)"] {
+        let surface = Prepared::new(&with_data(&format!("v*{number} + t")), &[]).solve(0.5).surface;
+        assert!(at(&*surface, "", [0.0, 1.0, 0.5])[0].is_finite(), "{number}");
+    }
 }
 
 #[test]

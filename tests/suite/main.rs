@@ -14,4 +14,5 @@ mod exports;
 mod language;
 mod meshes;
 mod reference;
+mod robustness;
 mod spec;

@@ -166,7 +166,7 @@ fn zeta(k: usize, order: usize, u: f64) -> f64 {
     let wave = std::f64::consts::PI * k as f64;
     let sign = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
     let (b, c, d) = (-wave, wave * (2.0 + sign), -wave * (1.0 + sign));
-    let (sin, cos) = ((wave * u).sin(), (wave * u).cos());
+    let sin = (wave * u).sin();
     match order {
         0 => sin + b * u + c * u * u + d * u * u * u,
         2 => -wave * wave * sin + 2.0 * c + 6.0 * d * u,
