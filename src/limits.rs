@@ -13,7 +13,7 @@ pub struct Limits {
     pub nesting: usize,
     /// Names declared in one document.
     pub names: usize,
-    /// Distinct nodes of one expression graph.
+    /// Distinct nodes of one expression graph and their operands.
     pub graph_nodes: usize,
     /// Bytes of one expression written as text.
     pub text_bytes: usize,

@@ -30,6 +30,8 @@ pub struct Prepared {
     /// Ranges of u, v and t for the current parameters.
     pub domain: DomainValues,
     solver: Box<dyn Solver>,
+    /// What the choice of the method leaves to say about every solution.
+    notes: Diagnostics,
 }
 
 impl Blend {
@@ -128,6 +130,8 @@ impl Prepared {
             }
             None => method::choose(request.method.as_deref(), request.origin, &decomposition)?,
         };
+        let asked = options.method.as_deref().or(request.method.as_deref()).unwrap_or(method::AUTO);
+        let notes = if asked == method::AUTO { method::passed_over(method, &decomposition) } else { Vec::new() };
         let settings = options.settings.clone().over(stated);
         if let Some((name, origin)) = settings.given().into_iter().find(|(name, _)| !method.settings().contains(name)) {
             let message = format!("the method `{}` has no setting `{name}`", method.name());
@@ -135,7 +139,7 @@ impl Prepared {
             return Err(finding.hint(format!("its settings: {}", method.settings().join(", "))));
         }
         let solver = method.prepare(&decomposition, &Options { settings, ..options.clone() })?;
-        Ok(Prepared { decomposition, domain, solver })
+        Ok(Prepared { decomposition, domain, solver, notes })
     }
 
     /// The patch.
@@ -149,7 +153,9 @@ impl Prepared {
     /// # Errors
     /// As [`Solver::solve`].
     pub fn solve(&self, bindings: &Bindings, t: f64) -> Result<Solution, Diagnostic> {
-        self.solver.solve(bindings.as_slice(), [self.domain.u, self.domain.v], t)
+        let mut solution = self.solver.solve(bindings.as_slice(), [self.domain.u, self.domain.v], t)?;
+        solution.report.warnings.splice(0..0, self.notes.iter().cloned());
+        Ok(solution)
     }
 
     /// Measures a solution at instant `t` against the problem.

@@ -61,9 +61,7 @@ pub fn close(decomposition: &Decomposition, limits: &Limits) -> Result<Closure, 
     while let Some((&function, &origin)) = functions.get_index(next) {
         check_closes(&graph, function, origin)?;
         for DerivativeMatrix { orders, rows } in &mut derivatives {
-            let derivative = graph
-                .derivative(function, *orders)
-                .map_err(|fault| super::not_differentiable(fault, *orders, origin))?;
+            let derivative = super::bounded_derivative(&mut graph, function, *orders, limits, origin)?;
             let monomials = expand(&mut graph, derivative, limits).map_err(|finding| finding.at(origin))?;
             let mut row = Vec::with_capacity(monomials.len());
             for (monomial, coefficient) in monomials {

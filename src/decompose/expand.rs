@@ -23,7 +23,7 @@ pub fn expand(graph: &mut Graph, expr: ExprId, limits: &Limits) -> Result<Monomi
     let mut known: FxHashMap<ExprId, Monomials> = FxHashMap::default();
     for id in graph.reachable(&[expr]) {
         let monomials = expand_node(graph, id, &known, limits)?;
-        if graph.len() > limits.graph_nodes {
+        if graph.size() > limits.graph_nodes {
             return Err(limit("the expanded data have more distinct parts", "graph-nodes", limits.graph_nodes));
         }
         known.insert(id, monomials);
@@ -140,7 +140,7 @@ fn multiply(graph: &mut Graph, left: &Monomials, right: &Monomials, limits: &Lim
             add(graph, &mut product, monomial, coefficient);
         }
         bounded(&product, limits)?;
-        if graph.len() > limits.graph_nodes {
+        if graph.size() > limits.graph_nodes {
             return Err(limit("the expanded data have more distinct parts", "graph-nodes", limits.graph_nodes));
         }
     }

@@ -19,7 +19,7 @@ use indexmap::IndexMap;
 use rustc_hash::FxBuildHasher;
 
 use crate::diagnostic::{Code, Diagnostic, Span};
-use crate::expr::{Derivative, ExprId, Graph, NotDifferentiable};
+use crate::expr::{Derivative, DerivativeFault, ExprId, Graph, NotDifferentiable};
 use crate::limits::Limits;
 use crate::problem::{Patch, Problem};
 
@@ -86,9 +86,7 @@ pub fn decompose(problem: &Problem, patch: &Patch, limits: &Limits) -> Result<De
     for (&expr, (origin, _)) in &rows {
         let mut derivatives = Vec::with_capacity(wanted.len());
         for &orders in &wanted {
-            let derivative =
-                graph.derivative(expr, orders).map_err(|fault| not_differentiable(fault, orders, *origin))?;
-            check_size(&graph, limits, *origin)?;
+            let derivative = bounded_derivative(&mut graph, expr, orders, limits, *origin)?;
             derivatives.push((orders, derivative));
         }
         basis.push(BasisFunction { expr, origin: *origin, derivatives });
@@ -109,18 +107,26 @@ fn in_source_order(patch: &Patch) -> Vec<(usize, usize)> {
     all
 }
 
-/// The finding for a function without a needed derivative.
-pub(crate) fn not_differentiable(fault: NotDifferentiable, orders: Derivative, origin: Option<Span>) -> Diagnostic {
-    let name = fault.function.row().name;
-    let message = format!("`{name}` has no derivative, and its derivative `{orders}` is needed");
-    Diagnostic::new(Code::NotDifferentiable, message).at(origin).hint("use a smooth function in its place")
-}
-
-fn check_size(graph: &Graph, limits: &Limits, origin: Option<Span>) -> Result<(), Diagnostic> {
-    if graph.len() <= limits.graph_nodes {
-        return Ok(());
-    }
-    let message =
-        format!("the derivatives have more distinct parts than the limit `graph-nodes` of {}", limits.graph_nodes);
-    Err(Diagnostic::new(Code::LimitReached, message).at(origin))
+/// A derivative of a basis function, or why there is none.
+pub(crate) fn bounded_derivative(
+    graph: &mut Graph,
+    expr: ExprId,
+    orders: Derivative,
+    limits: &Limits,
+    origin: Option<Span>,
+) -> Result<ExprId, Diagnostic> {
+    graph.derivative_within(expr, orders, limits.graph_nodes).map_err(|fault| match fault {
+        DerivativeFault::NotDifferentiable(NotDifferentiable { function }) => {
+            let name = function.row().name;
+            let message = format!("`{name}` has no derivative, and its derivative `{orders}` is needed");
+            Diagnostic::new(Code::NotDifferentiable, message).at(origin).hint("use a smooth function in its place")
+        }
+        DerivativeFault::TooLarge => {
+            let limit = limits.graph_nodes;
+            let message = format!("the derivatives have more distinct parts than the limit `graph-nodes` of {limit}");
+            Diagnostic::new(Code::LimitReached, message)
+                .at(origin)
+                .hint("use fewer factors, or functions nested less deeply")
+        }
+    })
 }

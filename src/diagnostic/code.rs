@@ -115,6 +115,7 @@ codes! {
     NearlyResonant = "W0407", Warning, Numerical, "The equation is close to resonance.";
     Resonant = "E0408", Error, Numerical, "The equation is resonant.";
     OrderDrops = "E0409", Error, Numerical, "The highest derivative in u drops out of the equation.";
+    MethodPassedOver = "N0410", Note, Unsupported, "A better method cannot treat this problem.";
     LimitReached = "E0901", Error, Limit, "A limit was reached.";
     HostUnsupported = "N0902", Note, Host, "The machine lacks something; the work goes on another way.";
     OutputFailed = "E0903", Error, Output, "Writing a result failed.";

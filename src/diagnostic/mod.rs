@@ -37,7 +37,10 @@ pub struct Diagnostic {
     pub hints: Vec<String>,
 }
 
-/// All findings of one stage, in source order.
+/// A stage ends its search here: more findings help nobody, and each unknown name is compared with all known ones.
+pub const MOST_FINDINGS: usize = 100;
+
+/// All findings of one stage, in source order; at most about [`MOST_FINDINGS`].
 pub type Diagnostics = Vec<Diagnostic>;
 
 impl Diagnostic {

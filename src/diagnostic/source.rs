@@ -57,10 +57,27 @@ impl Source {
     /// Line and column of a byte offset; an offset past the end counts as the end.
     #[must_use]
     pub fn line_column(&self, offset: usize) -> LineColumn {
-        let before: String = self.text.bytes().take(offset).map(char::from).collect();
-        let line = before.matches('\n').count() + 1;
-        let line_start = before.rfind('\n').map_or(0, |at| at + 1);
-        let column = self.text.get(line_start..offset.min(self.text.len())).map_or(1, |part| part.chars().count() + 1);
+        let end = offset.min(self.text.len());
+        let before = self.text.as_bytes().get(..end).unwrap_or_default();
+        let line = before.iter().filter(|byte| **byte == b'\n').count() + 1;
+        let line_start = before.iter().rposition(|byte| *byte == b'\n').map_or(0, |at| at + 1);
+        // Bytes that continue a character are not counted.
+        let column = before.iter().skip(line_start).filter(|byte| **byte & 0xc0 != 0x80).count() + 1;
         LineColumn { line, column }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_count_characters_whatever_stands_on_the_lines_before() {
+        let source = Source::new("text", "β = 1\n# γ² × ∂\nat é = 0");
+        let at = source.text.find('=').expect("in the text");
+        assert_eq!(source.line_column(at), LineColumn { line: 1, column: 3 });
+        let last = source.text.rfind('=').expect("in the text");
+        assert_eq!(source.line_column(last), LineColumn { line: 3, column: 6 });
+        assert_eq!(source.line_column(9999), LineColumn { line: 3, column: 9 });
     }
 }

@@ -80,22 +80,66 @@ pub struct NotDifferentiable {
     pub function: Function,
 }
 
+/// Why a bounded differentiation ended without a result.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DerivativeFault {
+    /// There is no derivative.
+    NotDifferentiable(NotDifferentiable),
+    /// The graph grew past what was allowed.
+    TooLarge,
+}
+
+impl From<NotDifferentiable> for DerivativeFault {
+    fn from(fault: NotDifferentiable) -> Self {
+        DerivativeFault::NotDifferentiable(fault)
+    }
+}
+
+/// Operands that may be merged for each unit of size that is allowed; problems of papers take a few in all.
+const WORK_PER_SIZE: usize = 10;
+
+/// What a differentiation may reach.
+#[derive(Debug, Clone, Copy)]
+struct Bounds {
+    size: usize,
+    work: usize,
+}
+
 impl Graph {
     /// The derivative of `expr`, in canonical form.
     ///
     /// # Errors
     /// [`NotDifferentiable`] names a function of the differentiation variable that has no derivative.
     pub fn derivative(&mut self, expr: ExprId, orders: Derivative) -> Result<ExprId, NotDifferentiable> {
+        self.derivative_within(expr, orders, usize::MAX).map_err(|fault| match fault {
+            DerivativeFault::NotDifferentiable(fault) => fault,
+            DerivativeFault::TooLarge => unreachable!("no graph has a size of usize::MAX"),
+        })
+    }
+
+    /// The derivative of `expr`, as [`Graph::derivative`], while the graph's [`size`](Graph::size) is at most `allowed`.
+    ///
+    /// Each order multiplies the size of nested functions and products, so it is watched at every node.
+    ///
+    /// # Errors
+    /// [`DerivativeFault`].
+    pub fn derivative_within(
+        &mut self,
+        expr: ExprId,
+        orders: Derivative,
+        allowed: usize,
+    ) -> Result<ExprId, DerivativeFault> {
+        let bounds = Bounds { size: allowed, work: self.work().saturating_add(allowed.saturating_mul(WORK_PER_SIZE)) };
         let mut result = expr;
         for variable in Variable::ALL {
             for _ in 0..orders.order(variable) {
-                result = self.derivative_once(result, variable)?;
+                result = self.derivative_once(result, variable, bounds)?;
             }
         }
         Ok(result)
     }
 
-    fn derivative_once(&mut self, expr: ExprId, variable: Variable) -> Result<ExprId, NotDifferentiable> {
+    fn derivative_once(&mut self, expr: ExprId, variable: Variable, bounds: Bounds) -> Result<ExprId, DerivativeFault> {
         let zero = self.integer(0);
         let mut known: FxHashMap<ExprId, ExprId> = FxHashMap::default();
         for id in self.reachable(&[expr]) {
@@ -105,7 +149,7 @@ impl Graph {
                 Variable::V => depends.v,
                 Variable::T => depends.t,
             };
-            let result = if depends_on_variable { self.derivative_of_node(id, &known)? } else { zero };
+            let result = if depends_on_variable { self.derivative_of_node(id, &known, bounds)? } else { zero };
             known.insert(id, result);
         }
         Ok(known.get(&expr).copied().unwrap_or(zero))
@@ -116,7 +160,9 @@ impl Graph {
         &mut self,
         id: ExprId,
         known: &FxHashMap<ExprId, ExprId>,
-    ) -> Result<ExprId, NotDifferentiable> {
+        bounds: Bounds,
+    ) -> Result<ExprId, DerivativeFault> {
+        self.check(bounds)?;
         let zero = self.integer(0);
         let inner = |id: &ExprId| known.get(id).copied().unwrap_or(zero);
         match self.node(id).clone() {
@@ -134,6 +180,7 @@ impl Graph {
                         let others = factors.iter().enumerate().filter(|(other, _)| *other != index);
                         let product: Vec<ExprId> = others.map(|(_, &other)| other).chain([derivative]).collect();
                         terms.push(self.product(product));
+                        self.check(bounds)?;
                     }
                 }
                 Ok(self.sum(terms))
@@ -154,6 +201,11 @@ impl Graph {
                 Ok(self.sum(terms))
             }
         }
+    }
+
+    fn check(&self, bounds: Bounds) -> Result<(), DerivativeFault> {
+        let is_within = self.size() <= bounds.size && self.work() <= bounds.work;
+        if is_within { Ok(()) } else { Err(DerivativeFault::TooLarge) }
     }
 
     /// `(f^g)' = g f^(g-1) f' + f^g ln(f) g'`

@@ -187,7 +187,10 @@ impl Writer<'_> {
     /// Whether `id` is a power with a negative number as exponent, which is written below a fraction bar.
     fn is_inverse(&self, id: ExprId) -> bool {
         match self.graph.node(id) {
-            Node::Power(_, exponent) => self.graph.as_number(*exponent).is_some_and(Number::is_negative),
+            // Powers of zero fold when they are read back, so `0^(-2)` must not become `1/0^2`.
+            Node::Power(base, exponent) => {
+                !self.graph.is_zero(*base) && self.graph.as_number(*exponent).is_some_and(Number::is_negative)
+            }
             _ => false,
         }
     }

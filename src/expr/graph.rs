@@ -111,6 +111,10 @@ pub struct Graph {
     nodes: IndexSet<Node, FxBuildHasher>,
     dependence: Vec<Dependence>,
     symbols: IndexSet<String, FxBuildHasher>,
+    /// Of all nodes together.
+    operands: usize,
+    /// Operands merged so far.
+    work: usize,
 }
 
 impl Default for Graph {
@@ -123,7 +127,13 @@ impl Graph {
     /// A graph that holds 1, 0, -1, u, v and t.
     #[must_use]
     pub fn new() -> Self {
-        let mut graph = Graph { nodes: IndexSet::default(), dependence: Vec::new(), symbols: IndexSet::default() };
+        let mut graph = Graph {
+            nodes: IndexSet::default(),
+            dependence: Vec::new(),
+            symbols: IndexSet::default(),
+            operands: 0,
+            work: 0,
+        };
         // Made first so that they come first wherever canonical order is id order: `1 - t`, `t sin(v)`.
         for value in [1, 0, -1] {
             graph.intern(Node::Number(Number::integer(value)));
@@ -134,7 +144,27 @@ impl Graph {
         graph
     }
 
-    /// The number of distinct nodes, the quantity that [`Limits::graph_nodes`](crate::limits::Limits) bounds.
+    /// The number of distinct nodes and of all their operands: its memory, and the quantity that
+    /// [`Limits::graph_nodes`](crate::limits::Limits) bounds. Few nodes can have many operands: the derivative of a
+    /// product of n factors has n of n each.
+    #[must_use]
+    pub fn size(&self) -> usize {
+        self.nodes.len() + self.operands
+    }
+
+    /// The number of operands that sums and products have merged so far. Unlike [`Graph::size`] it grows with terms
+    /// that cancel or were made before, so it bounds time where the size bounds memory.
+    #[must_use]
+    pub fn work(&self) -> usize {
+        self.work
+    }
+
+    /// Counts operands that are about to be merged.
+    pub(super) fn count_work(&mut self, operands: usize) {
+        self.work = self.work.saturating_add(operands);
+    }
+
+    /// The number of distinct nodes.
     #[must_use]
     pub fn len(&self) -> usize {
         self.nodes.len()
@@ -235,8 +265,14 @@ impl Graph {
             }
             Node::Power(base, exponent) => self.dependence(*base).union(self.dependence(*exponent)),
         };
+        let operands = match &node {
+            Node::Number(_) | Node::Constant(_) | Node::Symbol(_) | Node::Variable(_) => 0,
+            Node::Sum(operands) | Node::Product(operands) | Node::Call(_, operands) => operands.len(),
+            Node::Power(..) => 2,
+        };
         let (index, is_new) = self.nodes.insert_full(node);
         if is_new {
+            self.operands += operands;
             self.dependence.push(dependence);
         }
         ExprId(u32::try_from(index).expect("limits keep a graph far below 2^32 nodes"))

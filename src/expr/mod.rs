@@ -13,7 +13,7 @@ mod number;
 pub mod simplify;
 mod substitute;
 
-pub use derivative::{Derivative, NotDifferentiable};
+pub use derivative::{Derivative, DerivativeFault, NotDifferentiable};
 pub use display::{Notation, TextTooLong};
 pub use function::{Function, Parity, Value};
 pub use graph::{Constant, Dependence, ExprId, Graph, Node, SymbolId, Variable};

@@ -141,6 +141,8 @@ impl Number {
     ) -> Number {
         if let (Number::Exact(a), Number::Exact(b)) = (self, other)
             && let Some(result) = exact(a, b)
+            // The one value of 128 bits that has no negative.
+            && *result.numer() != i128::MIN
         {
             return Number::Exact(result);
         }
@@ -278,6 +280,14 @@ mod tests {
     fn overflowing_products_continue_as_doubles() {
         let big = Number::parse("1e37").expect("a literal");
         assert_eq!(big * big, Number::Real(1e74));
+    }
+
+    #[test]
+    fn least_integer_of_128_bits_continues_as_a_double() {
+        let half = Number::parse("-85070591730234615865843651857942052864").expect("-2^126");
+        let sum = half + half;
+        assert_eq!(sum, Number::Real(-170_141_183_460_469_231_731_687_303_715_884_105_728.0));
+        assert_eq!((-sum).to_f64(), 2.0_f64.powi(127));
     }
 
     #[test]

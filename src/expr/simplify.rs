@@ -59,6 +59,7 @@ impl Graph {
                 Node::Sum(inner) => inner.to_vec(),
                 _ => vec![term],
             };
+            self.count_work(flat.len());
             for term in flat {
                 if let Some(number) = self.as_number(term) {
                     constant = constant + number;
@@ -93,6 +94,7 @@ impl Graph {
                 _ => flat.push(factor),
             }
         }
+        self.count_work(flat.len());
         let mut coefficient = Number::ONE;
         let mut exponents: BTreeMap<ExprId, Vec<ExprId>> = BTreeMap::new();
         let mut exp_arguments: Vec<ExprId> = Vec::new();

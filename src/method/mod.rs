@@ -147,3 +147,15 @@ pub fn choose(
         }
     }
 }
+
+/// Why `auto`, when it chooses `method`, passed over the methods before it: one note each.
+#[must_use]
+pub fn passed_over(method: &dyn Method, decomposition: &Decomposition) -> Diagnostics {
+    let before = METHODS.iter().take_while(|other| other.name() != method.name());
+    let refusals = before.filter_map(|other| other.accepts(decomposition).err().map(|reason| (other.name(), reason)));
+    let note = |(name, reason): (&str, Diagnostic)| {
+        let message = format!("solved by `{}`, not by `{name}`: {}", method.name(), reason.message);
+        Diagnostic::new(Code::MethodPassedOver, message).at(reason.span)
+    };
+    refusals.map(note).collect()
+}

@@ -2,11 +2,11 @@
 
 use super::lower::{Lowering, components};
 use super::scope::Value;
-use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, MOST_FINDINGS, Span};
 use crate::expr::{ExprId, Variable};
 use crate::numeric::CardinalPolynomials;
 use crate::problem::{BoundaryCondition, describe_condition};
-use crate::syntax::ast::{Boundary, Constraint, Expression, Kind};
+use crate::syntax::ast::{Boundary, Constraint, Kind};
 
 /// A condition that is still being collected.
 struct Collected {
@@ -41,10 +41,16 @@ pub fn resolve(
                 for constraint in &boundary.constraints {
                     if let Err(finding) = add(constraint, (u, position), order_in_u, lowering, &mut collected) {
                         found.push(finding);
+                        if found.len() >= MOST_FINDINGS {
+                            return Err(found);
+                        }
                     }
                 }
             }
             Err(finding) => found.push(finding),
+        }
+        if found.len() >= MOST_FINDINGS {
+            return Err(found);
         }
     }
     if !found.is_empty() {
@@ -110,18 +116,21 @@ fn add(
             wanted
         }
     };
-    for expr in wanted.into_iter().flatten() {
-        if lowering.graph.dependence(expr).u {
+    // A vector that is written out has a place for each component.
+    let places = match &lowering.tree.node(constraint.value).kind {
+        Kind::Vector(parts) => match parts.as_slice() {
+            [x, y, z] => [x, y, z].map(|part| lowering.tree.span(*part)),
+            _ => [place; 3],
+        },
+        _ => [place; 3],
+    };
+    for (expr, place) in wanted.into_iter().zip(places) {
+        if let Some(expr) = expr
+            && lowering.graph.dependence(expr).u
+        {
             return Err(depends_on_u(expr, u, position, place, lowering));
         }
     }
-    // Each component of a vector has a place of its own.
-    let places = match &lowering.tree.node(constraint.value).kind {
-        Kind::Vector(parts) => <[Expression; 3]>::try_from(parts.as_slice())
-            .map(|parts| parts.map(|part| lowering.tree.span(part)))
-            .unwrap_or([place; 3]),
-        _ => [place; 3],
-    };
     let index = collected.iter().position(|other| other.position == position && other.order == order);
     let index = index.unwrap_or_else(|| {
         collected.push(Collected { position, u, order, value: [None; 3] });

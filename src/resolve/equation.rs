@@ -1,12 +1,14 @@
 //! The `pde` statement to a [`PdeOperator`] and the parameters that are its coefficients.
 
+use rustc_hash::FxHashSet;
+
 use super::lower::{Lowering, components};
 use super::scope::{Meaning, Scope, Value};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
-use crate::expr::Graph;
+use crate::expr::{ExprId, Graph, Node};
 use crate::limits::Limits;
 use crate::problem::{Parameter, ParameterKind, PdeOperator, PdeTerm, STANDARD_COEFFICIENTS};
-use crate::syntax::ast::{Document, Expression, Name, PdeStatement};
+use crate::syntax::ast::{Document, Expression, Kind, Name, PdeStatement};
 
 /// Resolves the equation; coefficients that are constant become parameters.
 pub fn resolve(
@@ -62,18 +64,37 @@ pub fn resolve(
         return Err(found);
     }
     let operator = match statement.and_then(|statement| statement.sides.map(|sides| (statement, sides))) {
-        None => Ok(PdeOperator { origin: statement.map(|statement| statement.span), ..PdeOperator::standard(graph) }),
+        None => Ok(standard(graph, &scope, stated, statement)),
         Some((statement, sides)) => {
             let mut lowering = Lowering { tree: &document.tree, graph, scope: &scope, limits };
             text_equation(&mut lowering, statement, sides)
         }
     };
     let operator = operator.map_err(|finding| vec![finding])?;
-    let unused = stated
-        .iter()
-        .filter(|(name, _)| !is_used(graph, &operator, parameters, &name.text, document, sides_of(statement)));
+    let used = sides_of(statement).map(|sides| used_names(graph, parameters, document, sides));
+    let is_used = |name: &str| used.as_ref().is_none_or(|used| used.contains(name));
+    let unused = stated.iter().filter(|(name, _)| !is_used(&name.text));
     let unused: Diagnostics = unused.map(|(name, _)| unused_coefficient(name)).collect();
     if unused.is_empty() { Ok(operator) } else { Err(unused) }
+}
+
+/// The standard equation; a stated coefficient that is a vector or depends on u, v or t stands for itself.
+fn standard(
+    graph: &mut Graph,
+    scope: &Scope,
+    stated: &[(Name, Expression)],
+    statement: Option<&PdeStatement>,
+) -> PdeOperator {
+    let mut operator = PdeOperator::standard(graph);
+    operator.origin = statement.map(|statement| statement.span);
+    for (name, derivative, _) in STANDARD_COEFFICIENTS {
+        let is_stated = stated.iter().any(|(stated, _)| stated.text == name);
+        let term = operator.terms.iter_mut().find(|term| term.derivative == derivative);
+        if let (true, Some(Meaning::Value(value)), Some(term)) = (is_stated, scope.meaning(name), term) {
+            term.coefficient = components(*value);
+        }
+    }
+    operator
 }
 
 fn sides_of(statement: Option<&PdeStatement>) -> Option<[Expression; 2]> {
@@ -96,30 +117,27 @@ fn unused_coefficient(name: &Name) -> Diagnostic {
         .hint("remove it, or write it into the equation")
 }
 
-fn is_used(
+/// The names that the equation uses, and those that a coefficient uses: `with a = 2, b = a^2`.
+fn used_names(
     graph: &Graph,
-    operator: &PdeOperator,
     parameters: &[Parameter],
-    name: &str,
     document: &Document,
-    sides: Option<[Expression; 2]>,
-) -> bool {
-    use crate::syntax::ast::Kind;
-    let Some(sides) = sides else { return true };
-    let is_named = |text: &str| text == name;
-    let in_text =
-        sides.iter().flat_map(|side| document.tree.parts(*side)).any(|part| match &document.tree.node(part).kind {
-            Kind::Name(found) | Kind::Application(found, _) => is_named(&found.text),
-            _ => false,
-        });
-    // A coefficient may also serve a later one: `with a = 2, b = a^2`.
-    let _ = (graph, operator);
-    in_text
-        || parameters.iter().filter(|other| other.name != name).any(|other| {
-            graph.reachable(&[other.value]).iter().any(|part| {
-            matches!(graph.node(*part), crate::expr::Node::Symbol(symbol) if graph.symbol_name(*symbol) == name)
+    sides: [Expression; 2],
+) -> FxHashSet<String> {
+    let parts = sides.iter().flat_map(|side| document.tree.parts(*side));
+    let mut used: FxHashSet<String> = parts
+        .filter_map(|part| match &document.tree.node(part).kind {
+            Kind::Name(found) | Kind::Application(found, _) => Some(found.text.clone()),
+            _ => None,
         })
-        })
+        .collect();
+    let values: Vec<ExprId> = parameters.iter().map(|parameter| parameter.value).collect();
+    for part in graph.reachable(&values) {
+        if let Node::Symbol(symbol) = graph.node(part) {
+            used.insert(graph.symbol_name(*symbol).to_owned());
+        }
+    }
+    used
 }
 
 fn default_coefficient(
@@ -221,7 +239,7 @@ fn force(
     lowering: &mut Lowering<'_>,
     left: (Expression, Value),
     right: (Expression, Value),
-) -> Result<[crate::expr::ExprId; 3], Diagnostic> {
+) -> Result<[ExprId; 3], Diagnostic> {
     for (expression, value) in [left, right] {
         if let Value::Scalar(expr) = value
             && !lowering.graph.is_zero(expr)

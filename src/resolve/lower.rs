@@ -41,7 +41,7 @@ impl Lowering<'_> {
         let mut known: FxHashMap<Expression, Form> = FxHashMap::default();
         for part in self.tree.parts(root) {
             let form = self.part(part, &known)?;
-            if self.graph.len() > self.limits.graph_nodes {
+            if self.graph.size() > self.limits.graph_nodes {
                 return Err(self.too_large(part));
             }
             known.insert(part, form);
@@ -51,14 +51,16 @@ impl Lowering<'_> {
 
     /// The value of `root`, which must not contain S.
     pub fn value(&mut self, root: Expression) -> Result<Value, Diagnostic> {
-        let form = self.form(root)?;
-        if form.unknown.is_empty() {
-            return Ok(form.value);
+        // Looked for first: lowering would judge S as part of an equation.
+        let mut parts = self.tree.parts(root).into_iter();
+        match parts.find(|part| matches!(self.tree.node(*part).kind, Kind::Unknown(_))) {
+            None => Ok(self.form(root)?.value),
+            Some(unknown) => {
+                let finding =
+                    Diagnostic::new(Code::NotBoundaryData, "`S` is what is to be found, so it cannot stand here");
+                Err(finding.at(self.tree.span(unknown)))
+            }
         }
-        let unknown =
-            self.tree.parts(root).into_iter().find(|part| matches!(self.tree.node(*part).kind, Kind::Unknown(_)));
-        let span = self.tree.span(unknown.unwrap_or(root));
-        Err(Diagnostic::new(Code::NotBoundaryData, "`S` is what is to be found, so it cannot stand here").at(span))
     }
 
     /// The value of `root`, which must be a number.
@@ -245,13 +247,18 @@ impl Lowering<'_> {
         known: &FxHashMap<Expression, Form>,
         span: Span,
     ) -> Result<Form, Diagnostic> {
-        let mut product = scalar(self.graph.integer(1));
+        // Numbers are multiplied all at once: product after product, n factors would make n²/2 operands.
+        let (mut numbers, mut others) = (Vec::with_capacity(factors.len()), Vec::new());
         for (divides, factor) in factors {
             let form = known.get(factor).cloned().ok_or_else(|| missing(span))?;
             let form = if *divides { self.invert(&form, *factor)? } else { form };
-            product = self.multiply(product, form, span)?;
+            match form.value {
+                Value::Scalar(number) if form.unknown.is_empty() => numbers.push(number),
+                _ => others.push(form),
+            }
         }
-        Ok(product)
+        let product = scalar(self.graph.product(numbers));
+        others.into_iter().try_fold(product, |product, form| self.multiply(product, form, span))
     }
 
     fn invert(&mut self, form: &Form, expression: Expression) -> Result<Form, Diagnostic> {

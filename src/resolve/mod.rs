@@ -11,7 +11,7 @@ mod scope;
 use lower::Lowering;
 use scope::{Meaning, Scope, Value};
 
-use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source};
+use crate::diagnostic::{Class, Code, Diagnostic, Diagnostics, MOST_FINDINGS, Source};
 use crate::expr::{ExprId, Graph, Variable};
 use crate::limits::Limits;
 use crate::problem::{Bindings, Domain, Parameter, ParameterKind, Patch, Problem, RequestedSetting, SolveRequest};
@@ -105,10 +105,17 @@ fn declare_parameters(
             None => None,
         };
         // A param with a faulty value is declared all the same, so that its uses are not reported too.
-        let value = value.unwrap_or_else(|finding| {
-            found.push(finding);
-            graph.integer(0)
-        });
+        let value = match value {
+            Ok(value) => value,
+            Err(finding) => {
+                let is_limit = finding.class() == Class::Limit;
+                found.push(finding);
+                if is_limit || found.len() >= MOST_FINDINGS {
+                    return Err(found);
+                }
+                graph.integer(0)
+            }
+        };
         let symbol = graph.symbol_id(&declared.name.text);
         let meaning = Meaning::Value(Value::Scalar(graph.symbol_node(symbol)));
         match scope.declare(&declared.name, meaning) {
@@ -144,10 +151,18 @@ fn declare_definitions(
             formals.push(symbol);
         }
         let value = Lowering { tree: &document.tree, graph, scope: &local, limits }.value(definition.value);
-        let value = value.unwrap_or_else(|finding| {
-            found.push(finding);
-            Value::Scalar(graph.integer(0))
-        });
+        let value = match value {
+            Ok(value) => value,
+            Err(finding) => {
+                // A limit stays reached: every later definition would report it again.
+                let is_limit = finding.class() == Class::Limit;
+                found.push(finding);
+                if is_limit || found.len() >= MOST_FINDINGS {
+                    return Err(found);
+                }
+                Value::Scalar(graph.integer(0))
+            }
+        };
         let meaning = if formals.is_empty() { Meaning::Value(value) } else { Meaning::Function(formals, value) };
         found.extend(scope.declare(&definition.name, meaning).err());
     }

@@ -25,6 +25,9 @@ pub enum Meaning {
     Function(Vec<ExprId>, Value),
 }
 
+/// Names longer than this are not compared with others: the cost grows with the product of their lengths.
+const COMPARED_BYTES: usize = 64;
+
 /// Names, each with its meaning and the place of its declaration.
 #[derive(Debug, Clone)]
 pub struct Scope {
@@ -32,12 +35,14 @@ pub struct Scope {
     // Kept in order of declaration, so that suggestions do not depend on a hash.
     order: Vec<String>,
     allowed: usize,
+    /// Names that every document knows, which do not count.
+    reserved: usize,
 }
 
 impl Scope {
     /// The coordinates and constants every document knows.
     pub fn new(graph: &mut Graph, limits: &Limits) -> Scope {
-        let mut scope = Scope { names: FxHashMap::default(), order: Vec::new(), allowed: limits.names };
+        let mut scope = Scope { names: FxHashMap::default(), order: Vec::new(), allowed: limits.names, reserved: 0 };
         for variable in Variable::ALL {
             let value = graph.variable(variable);
             scope.insert(variable.name(), Meaning::Value(Value::Scalar(value)), None);
@@ -46,6 +51,7 @@ impl Scope {
             let value = graph.constant(constant);
             scope.insert(name, Meaning::Value(Value::Scalar(value)), None);
         }
+        scope.reserved = scope.order.len();
         scope
     }
 
@@ -60,7 +66,7 @@ impl Scope {
     /// [`Code::DuplicateName`] if it is declared already or reserved; [`Code::LimitReached`] for too many.
     pub fn declare(&mut self, name: &Name, meaning: Meaning) -> Result<(), Diagnostic> {
         self.check_free(name)?;
-        if self.order.len() >= self.allowed {
+        if self.order.len() >= self.allowed.saturating_add(self.reserved) {
             let message = format!("more names are declared than the limit `names` of {}", self.allowed);
             return Err(Diagnostic::new(Code::LimitReached, message).at(name.span));
         }
@@ -98,6 +104,9 @@ impl Scope {
     pub fn unknown_name(&self, name: &Name) -> Diagnostic {
         let text = &name.text;
         let finding = Diagnostic::new(Code::UnknownName, format!("unknown name `{text}`")).at(name.span);
+        if text.len() > COMPARED_BYTES {
+            return finding.hint("it is declared nowhere, and too long to be a slip of another name");
+        }
         if let Some(product) = self.as_product(text) {
             return finding.hint(format!("did you mean `{product}`? Factors need a space or `*` between them"));
         }
@@ -130,7 +139,12 @@ impl Scope {
 
     fn closest(&self, text: &str) -> Option<&str> {
         let functions = Function::ALL.iter().map(|function| function.row().name);
-        let names = self.order.iter().map(String::as_str).filter(|name| name.len() > 1).chain(functions);
+        let names = self
+            .order
+            .iter()
+            .map(String::as_str)
+            .filter(|name| (2..=COMPARED_BYTES).contains(&name.len()))
+            .chain(functions);
         let distances = names.map(|name| (strsim::damerau_levenshtein(text, name), name));
         let (distance, name) = distances.min_by_key(|(distance, _)| *distance)?;
         (distance <= text.chars().count().div_ceil(3)).then_some(name)

@@ -18,7 +18,7 @@ use brackets::Brackets;
 use expression::Builder;
 use preflight::Prepared;
 
-use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, MOST_FINDINGS, Source, Span};
 use crate::limits::Limits;
 
 /// Parses a spec.
@@ -39,6 +39,9 @@ pub fn parse(source: &Source, limits: &Limits) -> Result<Document, Diagnostics> 
     for &line in &prepared.lines {
         if let Err(finding) = add_line(&mut document, &prepared, line) {
             found.push(finding);
+            if found.len() >= MOST_FINDINGS {
+                break;
+            }
         }
     }
     if found.is_empty() { Ok(document) } else { Err(found) }

@@ -74,6 +74,7 @@ fn token(rest: &str) -> &str {
 fn words(rule: Rule) -> Option<&'static str> {
     Some(match rule {
         Rule::expression
+        | Rule::values
         | Rule::term
         | Rule::run
         | Rule::power
@@ -93,7 +94,8 @@ fn words(rule: Rule) -> Option<&'static str> {
         Rule::name | Rule::parameter | Rule::definition | Rule::assignment | Rule::range => "a name",
         Rule::interval => "an interval `[lo, hi]`",
         Rule::constraint | Rule::constraints | Rule::target | Rule::coordinate => "a constraint such as `S_x = …`",
-        Rule::param_line
+        Rule::line
+        | Rule::param_line
         | Rule::let_line
         | Rule::domain_line
         | Rule::pde_line
@@ -132,6 +134,9 @@ fn advice(text: &str, at: usize) -> Option<String> {
     }
     if text.starts_with("S") && rest.starts_with(':') {
         return Some("a boundary block begins with `at u = 0:`".to_owned());
+    }
+    if text.starts_with("at ") && !text.contains(':') {
+        return Some("a colon ends the position: `at u = 0:`".to_owned());
     }
     if before.ends_with(|c: char| c.is_ascii_alphabetic()) && rest.starts_with(['-', '−']) {
         let word = before.rsplit(|c: char| !c.is_ascii_alphanumeric()).next()?;

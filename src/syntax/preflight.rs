@@ -5,7 +5,7 @@
 //! span of the parser is a span of the user's text. Size and nesting are bounded here because a parser's
 //! stack cannot be: pest's own limit counts calls and is shared by the whole process.
 
-use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, is_deceptive};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, MOST_FINDINGS, Source, Span, is_deceptive};
 use crate::expr::greek_letter;
 use crate::limits::Limits;
 
@@ -27,13 +27,7 @@ pub struct Prepared {
 /// # Errors
 /// [`Code::NotUtf8`] with the offset of the first bad byte, or [`Code::LimitReached`] for the size.
 pub fn decode(name: &str, bytes: &[u8], limits: &Limits) -> Result<Source, Diagnostic> {
-    if bytes.len() > limits.source_bytes {
-        return Err(Diagnostic::new(
-            Code::LimitReached,
-            format!("the text is longer than the limit `source-bytes` of {}", limits.source_bytes),
-        )
-        .hint("a spec states a problem; move tables of numbers elsewhere, or raise the limit"));
-    }
+    check_size(bytes.len(), limits)?;
     match std::str::from_utf8(bytes) {
         Ok(text) => Ok(Source::new(name, text)),
         Err(error) => {
@@ -46,11 +40,23 @@ pub fn decode(name: &str, bytes: &[u8], limits: &Limits) -> Result<Source, Diagn
     }
 }
 
+fn check_size(bytes: usize, limits: &Limits) -> Result<(), Diagnostic> {
+    let limit = limits.source_bytes;
+    if bytes <= limit {
+        return Ok(());
+    }
+    let message = format!("the text is longer than the limit `source-bytes` of {limit} bytes");
+    Err(Diagnostic::new(Code::LimitReached, message)
+        .hint("a spec states a problem; move tables of numbers elsewhere, or raise the limit"))
+}
+
 /// Prepares a text, or says why it cannot be parsed.
 ///
 /// # Errors
 /// Every unbalanced bracket and deceptive character, or the first place where nesting passes its limit.
 pub fn prepare(source: &Source, limits: &Limits) -> Result<Prepared, Diagnostics> {
+    // Here too: a source need not come from `decode`.
+    check_size(source.text.len(), limits).map_err(|finding| vec![finding])?;
     let mut found = Diagnostics::new();
     let mut bytes = source.text.clone().into_bytes();
     let mut open: Vec<(char, usize)> = Vec::new();
@@ -90,6 +96,7 @@ pub fn prepare(source: &Source, limits: &Limits) -> Result<Prepared, Diagnostics
     found.extend(open.into_iter().map(|(bracket, at)| not_closed(bracket, at)));
     if !found.is_empty() {
         found.sort_by_key(|finding| finding.span);
+        found.truncate(MOST_FINDINGS);
         return Err(found);
     }
     // Whole characters were replaced by as many blanks as they had bytes, so the text is still UTF-8.
@@ -156,8 +163,10 @@ fn suspicious(letter: char, at: usize) -> Option<Diagnostic> {
     None
 }
 
-fn starts_statement(line: &str) -> bool {
-    let line = line.trim_start();
+/// Whether the first line of `text` begins a statement.
+fn starts_statement(text: &str) -> bool {
+    // Only this line: blank ones after it would be read again at each of them.
+    let line = text.split('\n').next().unwrap_or("").trim_start();
     STATEMENT_WORDS.iter().any(|word| {
         line.strip_prefix(word).is_some_and(|rest| rest.starts_with(|c: char| c.is_whitespace()) || rest.is_empty())
     })

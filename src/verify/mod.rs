@@ -8,7 +8,7 @@ use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::eval::{Backend, Program, Samples, compile};
 use crate::expr::{Derivative, ExprId, Graph};
 use crate::numeric::{NodeKind, nodes};
-use crate::problem::{Bindings, DomainValues, Patch, Problem};
+use crate::problem::{Bindings, DomainValues, Patch, Problem, describe_condition};
 use crate::surface::Surface;
 
 /// What was measured.
@@ -72,12 +72,10 @@ pub fn verify(
         let u = bindings.constant(problem, condition.u, None, "the position of a boundary")?;
         let stated = evaluate(&problem.graph, &condition.value, bindings, &[u], &v, t)?;
         if let Some(at) = stated.iter().position(|value| !value.is_finite()) {
-            return Err(not_finite(
-                stated.get(at).copied(),
-                condition.origins.get(at / v.len()).copied().flatten(),
-                v.get(at % v.len()),
-                t,
-            ));
+            let component = at / v.len();
+            let what = describe_condition(Some(component), condition.order, u);
+            let origin = condition.origins.get(component).copied().flatten();
+            return Err(not_finite(&what, stated.get(at).copied(), origin, v.get(at % v.len()), t));
         }
         let mut found = vec![[0.0; 3]; v.len()];
         surface.evaluate_grid(Derivative::new(condition.order, 0, 0), (&[u], &v, t), &mut found)?;
@@ -163,8 +161,9 @@ fn evaluate(
     Ok(values)
 }
 
-fn not_finite(value: Option<f64>, origin: Option<Span>, v: Option<&f64>, t: f64) -> Diagnostic {
+fn not_finite(what: &str, value: Option<f64>, origin: Option<Span>, v: Option<&f64>, t: f64) -> Diagnostic {
     let (value, v) = (value.unwrap_or(f64::NAN), v.copied().unwrap_or(f64::NAN));
-    let finding = Diagnostic::new(Code::DataNotFinite, format!("the boundary data are {value} at v = {v}, t = {t}"));
-    finding.at(origin)
+    Diagnostic::new(Code::DataNotFinite, format!("the data for {what} are {value} at v = {v}, t = {t}"))
+        .at(origin)
+        .hint("boundary data must be finite on the whole domain; change the function or the domain")
 }

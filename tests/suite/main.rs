@@ -4,10 +4,19 @@
 #![allow(clippy::indexing_slicing)]
 
 mod analytic;
+mod architecture;
 #[cfg(feature = "cli")]
 mod cli;
+mod decompositions;
+mod derivatives;
+mod diagnostics;
+mod display;
 mod documents;
 mod evaluators;
 mod exact;
 mod exports;
+mod language;
 mod meshes;
+mod reference;
+mod robustness;
+mod spec;

@@ -20,6 +20,7 @@ use crate::decompose::Decomposition;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 use crate::eval::{Backend, Evaluator, Program, Samples, compile};
 use crate::expr::{Derivative, ExprId, Graph};
+use crate::limits::Limits;
 use crate::numeric::{NodeKind, nodes};
 use crate::surface::{Basis, Coefficients, SeparableSurface};
 use crate::trial::{CorrectedTrial, Modes, Sine};
@@ -64,7 +65,7 @@ impl Method for SineSeries {
         let orders_in_t = decomposition.patch.operator.order_in_t();
         let (terms, points) = sizes(decomposition, options, orders_in_t)?;
         let mut graph = decomposition.graph.clone();
-        let operator = Operator::build(&mut graph, decomposition, orders_in_t)?;
+        let operator = Operator::build(&mut graph, decomposition, orders_in_t, &options.limits)?;
         // These run over a handful of nodes for each solution: interpreting them is done before compiling would be.
         let backend = if options.backend == Backend::Auto { Backend::Interpreter } else { options.backend };
         let program = |outputs: &[ExprId]| compile(Program::compile(&graph, outputs), backend);
@@ -142,7 +143,12 @@ struct Operator {
 
 impl Operator {
     /// Outputs in the order: basis function, component (one if they agree), derivative in t, order in u.
-    fn build(graph: &mut Graph, decomposition: &Decomposition, orders_in_t: usize) -> Result<Operator, Diagnostic> {
+    fn build(
+        graph: &mut Graph,
+        decomposition: &Decomposition,
+        orders_in_t: usize,
+        limits: &Limits,
+    ) -> Result<Operator, Diagnostic> {
         let terms = &decomposition.patch.operator.terms;
         let mut orders_in_u: Vec<usize> = terms.iter().map(|term| term.derivative.u).collect();
         orders_in_u.sort_unstable();
@@ -167,11 +173,13 @@ impl Operator {
                 for order in 0..=orders_in_t {
                     for symbol in &symbols {
                         let in_time = Derivative::new(0, 0, order);
-                        outputs.push(
-                            graph.derivative(*symbol, in_time).map_err(|fault| {
-                                crate::decompose::not_differentiable(fault, in_time, function.origin)
-                            })?,
-                        );
+                        outputs.push(crate::decompose::bounded_derivative(
+                            graph,
+                            *symbol,
+                            in_time,
+                            limits,
+                            function.origin,
+                        )?);
                     }
                 }
             }

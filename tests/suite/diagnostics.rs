@@ -1,0 +1,201 @@
+//! What bad specs are answered: code, place and the words that help.
+
+mod table;
+
+use trimline::diagnostic::{Class, Code, Diagnostic, Diagnostics, Severity, Source};
+use trimline::limits::Limits;
+use trimline::syntax;
+use trimline::verify::verify;
+
+use crate::spec::{BOUNDARY, Prepared, decomposition_within, patch, problem_within, told, with_data};
+
+use table::{ROWS, Spec};
+
+/// Codes that no text produces by itself, and what does.
+const ELSEWHERE: &[(Code, &str)] = &[
+    (Code::NotUtf8, "bytes that are not text: below"),
+    (Code::RankDeficient, "columns that are zero to the last bit; no known text makes them"),
+    (Code::PointOutsideDomain, "points and instants of the command line"),
+    (Code::BadPoints, "tables of points of the command line"),
+    (Code::MethodPassedOver, "the choice of `auto`, which tests of methods make"),
+    (Code::HostUnsupported, "a machine without machine code"),
+    (Code::OutputFailed, "a full disk"),
+    (Code::DegenerateNormals, "a mesh"),
+    (Code::PrecisionLost, "an export"),
+];
+
+fn text_of(spec: Spec) -> String {
+    match spec {
+        Spec::Whole(text) => text.to_owned(),
+        Spec::Data(value) => with_data(value),
+        Spec::Before(text) => format!("{text}{BOUNDARY}"),
+        Spec::After(text) => format!("{BOUNDARY}{text}"),
+    }
+}
+
+/// Everything that is found on the way from a text to a verified surface at t = 0.
+fn findings(text: &str) -> Diagnostics {
+    let prepared = match Prepared::try_new(text, &[]) {
+        Ok(prepared) => prepared,
+        Err(found) => return found,
+    };
+    let solution = match prepared.try_solve(0.0) {
+        Ok(solution) => solution,
+        Err(found) => return vec![found],
+    };
+    let patch = patch(&prepared.problem);
+    let numbers = (&prepared.bindings, &prepared.domain, 0.0);
+    let measured = verify(&prepared.problem, patch, &*solution.surface, numbers);
+    solution.report.warnings.iter().cloned().chain(measured.err()).collect()
+}
+
+fn place(source: &Source, finding: &Diagnostic) -> String {
+    let Some(span) = finding.span else { return "-".to_owned() };
+    let place = source.line_column(span.start);
+    format!("{}:{}", place.line, place.column)
+}
+
+/// All words of a finding.
+fn words(finding: &Diagnostic) -> String {
+    let labels = finding.labels.iter().map(|label| label.message.clone());
+    let parts = [finding.message.clone(), finding.marker.clone()].into_iter().chain(labels);
+    parts.chain(finding.hints.iter().cloned()).collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn bad_specs_get_one_finding_with_its_code_place_and_advice() {
+    let mut wrong = Vec::new();
+    for &(spec, code, expected_place, marked, fragment) in ROWS {
+        let text = text_of(spec);
+        let source = Source::new("spec", &*text);
+        let found = findings(&text);
+        let [only] = found.as_slice() else {
+            wrong.push(format!("{text}\n{} findings: {}", found.len(), told(&text, &found)));
+            continue;
+        };
+        let slice = only.span.map_or("", |span| source.slice(span));
+        let is_right = only.code == code
+            && place(&source, only) == expected_place
+            && slice == marked
+            && words(only).contains(fragment);
+        if !is_right {
+            wrong.push(format!(
+                "{text}\n{} marks `{slice}`\nnot {code} {expected_place} `{marked}` {fragment}",
+                told(&text, &found)
+            ));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
+}
+
+#[test]
+fn table_covers_every_code_that_a_text_can_produce() {
+    assert!(ROWS.len() >= 60, "{}", ROWS.len());
+    for &code in Code::ALL {
+        let in_table = ROWS.iter().any(|row| row.1 == code);
+        let elsewhere = ELSEWHERE.iter().any(|(other, _)| *other == code);
+        assert!(in_table != elsewhere, "{code} {code:?}: in the table {in_table}, elsewhere {elsewhere}");
+    }
+}
+
+#[test]
+fn codes_are_distinct_and_begin_with_their_severity() {
+    for (index, code) in Code::ALL.iter().enumerate() {
+        assert!(Code::ALL.iter().take(index).all(|other| other.as_str() != code.as_str()), "{code}");
+        let letter = match code.severity() {
+            Severity::Error => 'E',
+            Severity::Warning => 'W',
+            Severity::Note => 'N',
+        };
+        assert!(code.as_str().starts_with(letter), "{code}");
+    }
+}
+
+#[test]
+fn messages_are_lower_case_and_without_a_full_stop() {
+    for &(spec, ..) in ROWS {
+        for finding in findings(&text_of(spec)) {
+            // `S` and components begin with their own letter.
+            let first = finding.message.chars().next().expect("a message");
+            assert!(!first.is_uppercase() || finding.message.starts_with('S'), "{finding}");
+            assert!(!finding.message.ends_with('.'), "{finding}");
+            for word in ["invalid", "illegal", "bad "] {
+                assert!(!words(&finding).contains(word), "{finding}");
+            }
+        }
+    }
+}
+
+/// Places and codes of several findings.
+fn places(text: &str) -> Vec<String> {
+    let source = Source::new("spec", text);
+    findings(text).iter().map(|finding| format!("{} {}", finding.code, place(&source, finding))).collect()
+}
+
+#[test]
+fn several_errors_of_one_file_are_reported_together() {
+    let brackets = format!("param a = (1\nparam b = 2]\n{BOUNDARY}");
+    assert_eq!(places(&brackets), ["E0103 1:11", "E0103 2:12"]);
+    assert_eq!(places("at u = 0: S = [v, (t], 0)\n"), ["E0103 1:21", "E0103 1:25"]);
+    let syntax = "at u = 0: S_x = v +* t\nparam = 3\nat u = 1: S = [0, 0, 1] 2 =";
+    assert_eq!(places(syntax), ["E0102 1:20", "E0102 2:7", "E0102 3:27"]);
+    assert_eq!(places(&format!("param a = q1, b = q2\n{BOUNDARY}")), ["E0201 1:11", "E0201 1:19"]);
+    let boundary = "at u = 0: S_x = u, S_y = q7, S_z = [1, 2, 3]\nat u = 1: S_x = 0, S_x = 1";
+    assert_eq!(places(boundary), ["E0203 1:17", "E0201 1:26", "E0209 1:36", "E0204 2:20"]);
+    let missing = "at u = 0: S_x = v, dS_y/du = 0\nat u = 1: S = 0, dS/du = 0";
+    assert_eq!(places(missing).len(), 4, "S_y, S_z, and the tangents of x and z");
+}
+
+#[test]
+fn duplicate_points_at_the_first_as_well() {
+    let text = format!("{BOUNDARY}at u = 0: S_y = 1");
+    let found = findings(&text);
+    let label = found[0].labels.first().expect("a second place");
+    assert_eq!(Source::new("spec", &*text).slice(label.span), "sin v");
+}
+
+#[test]
+fn bytes_that_are_not_utf8_are_refused_with_their_place() {
+    let found = syntax::decode("spec", b"param a = 1\nparam b = \xff\xfe", &Limits::default()).expect_err("not UTF-8");
+    assert_eq!(found.code, Code::NotUtf8);
+    assert_eq!(found.span.map(|span| span.start), Some(22));
+    assert!(found.message.contains("line 2"), "{found}");
+}
+
+#[test]
+fn text_of_2_mib_is_a_limit_that_says_which() {
+    let bytes = vec![b' '; 2 << 20];
+    let found = syntax::decode("spec", &bytes, &Limits::default()).expect_err("too long");
+    assert_eq!((found.code, found.class()), (Code::LimitReached, Class::Limit));
+    assert!(found.message.contains("source-bytes"), "{found}");
+}
+
+#[test]
+fn ten_thousand_brackets_are_a_limit_at_the_first_one_too_many() {
+    for (open, close) in [("(", ")"), ("[", "]"), ("sin(", ")")] {
+        let text = with_data(&format!("{}v{}", open.repeat(10_000), close.repeat(10_000)));
+        let found = problem_within(&text, &Limits::default()).expect_err("too deep");
+        let [only] = found.as_slice() else { panic!("{}", told(&text, &found)) };
+        assert_eq!(only.code, Code::LimitReached);
+        assert!(only.message.contains("nesting"), "{only}");
+        // One bracket of the vector around them counts.
+        let expected = 14 + open.len() * 128;
+        assert_eq!(only.span.map(|span| span.start), Some(expected), "{open}");
+    }
+}
+
+#[test]
+fn derivative_that_only_the_method_needs_is_refused_with_its_place() {
+    // ρ = 0: the equation takes no derivative in t, and abs is taken of t alone.
+    let text = with_data("abs(t - 2) sin(v)");
+    let found = decomposition_within(&text, &Limits::default()).expect_err("ρ S_tt is a term");
+    assert_eq!(found[0].code, Code::NotDifferentiable);
+    let smooth_in_v = format!("pde d4S/du4 + d4S/dv4 = 0\n{text}");
+    assert!(decomposition_within(&smooth_in_v, &Limits::default()).is_ok());
+}
+
+#[test]
+fn findings_never_echo_characters_that_act_on_a_terminal() {
+    let finding = Diagnostic::new(Code::UnknownName, "unknown \u{1b}[31mname\u{202e}").hint("\u{7}");
+    assert!(!words(&finding).chars().any(trimline::diagnostic::is_deceptive), "{finding:?}");
+}
