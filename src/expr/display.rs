@@ -81,6 +81,12 @@ impl Graph {
     }
 }
 
+/// A factor's text.
+struct Group {
+    pieces: Vec<Piece>,
+    opens_bracket: bool,
+}
+
 struct Writer<'a> {
     graph: &'a Graph,
     notation: Notation,
@@ -202,26 +208,30 @@ impl Writer<'_> {
             _ => vec![id],
         };
         let mut coefficient = Number::ONE;
-        let (mut above, mut below): (Vec<Vec<Piece>>, Vec<Vec<Piece>>) = (Vec::new(), Vec::new());
+        let (mut above, mut below): (Vec<Group>, Vec<Group>) = (Vec::new(), Vec::new());
         let mut ordered = factors;
         ordered.sort_by_key(|&factor| (self.rank(factor), factor));
         for factor in ordered {
             match self.graph.node(factor) {
                 Node::Number(number) => coefficient = *number,
-                Node::Power(base, exponent) if self.is_inverse(factor) => {
-                    below.push(self.inverse_power(*base, *exponent))
-                }
-                _ => above.push(vec![Piece::Expr(factor, Strength::Power)]),
+                Node::Power(base, exponent) if self.is_inverse(factor) => below.push(Group {
+                    opens_bracket: self.opens_bracket(*base),
+                    pieces: self.inverse_power(*base, *exponent),
+                }),
+                _ => above.push(Group {
+                    opens_bracket: self.opens_bracket(factor),
+                    pieces: vec![Piece::Expr(factor, Strength::Power)],
+                }),
             }
         }
         let negative = coefficient.is_negative();
         let magnitude = if negative { -coefficient } else { coefficient };
         let (number_above, number_below) = split_fraction(magnitude);
         if let Some(number) = number_below {
-            below.insert(0, vec![Piece::Owned(number)]);
+            below.insert(0, Group { opens_bracket: false, pieces: vec![Piece::Owned(number)] });
         }
         if number_above != "1" || above.is_empty() {
-            above.insert(0, vec![Piece::Owned(number_above)]);
+            above.insert(0, Group { opens_bracket: false, pieces: vec![Piece::Owned(number_above)] });
         }
         let is_single_atom = above.len() == 1 && below.is_empty();
         let mut pieces = Vec::new();
@@ -237,7 +247,7 @@ impl Writer<'_> {
         (pieces, strength)
     }
 
-    fn push_quotient(&self, pieces: &mut Vec<Piece>, above: Vec<Vec<Piece>>, below: Vec<Vec<Piece>>) {
+    fn push_quotient(&self, pieces: &mut Vec<Piece>, above: Vec<Group>, below: Vec<Group>) {
         if below.is_empty() {
             pieces.extend(self.joined(above));
         } else if self.notation == Notation::Latex {
@@ -257,19 +267,34 @@ impl Writer<'_> {
         }
     }
 
-    fn joined(&self, groups: Vec<Vec<Piece>>) -> Vec<Piece> {
+    fn joined(&self, groups: Vec<Group>) -> Vec<Piece> {
         let mut pieces = Vec::new();
         for (index, group) in groups.into_iter().enumerate() {
             if index > 0 {
                 pieces.push(Piece::Text(match self.notation {
                     Notation::Ascii => "*",
+                    // `e^t (1 + v)^2` would read with the bracket in the exponent.
+                    Notation::Unicode if group.opens_bracket => "·",
                     Notation::Unicode => " ",
                     Notation::Latex => r"\, ",
                 }));
             }
-            pieces.extend(group);
+            pieces.extend(group.pieces);
         }
         pieces
+    }
+
+    /// Whether the text of a factor begins with a bracket.
+    fn opens_bracket(&self, factor: ExprId) -> bool {
+        match self.graph.node(factor) {
+            Node::Sum(_) | Node::Product(_) => true,
+            Node::Power(base, _) => match self.graph.node(*base) {
+                Node::Symbol(_) | Node::Variable(_) | Node::Constant(_) => false,
+                Node::Call(function, _) => *function == Function::Exp && self.notation != Notation::Ascii,
+                _ => true,
+            },
+            _ => false,
+        }
     }
 
     /// Where a factor stands in a product: numbers, parameters, coordinates, exponentials, functions, sums.

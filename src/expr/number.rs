@@ -147,7 +147,8 @@ impl Number {
             return Number::Exact(result);
         }
         let value = real(self.to_f64(), other.to_f64());
-        Number::Real(if value == 0.0 { 0.0 } else { value })
+        // Exact again where its shortest decimal fits, so that equal values are one number whatever their history.
+        Number::from_f64(value).unwrap_or(Number::Real(value))
     }
 
     /// What two numbers must share to be one number: kind and bits.
@@ -171,17 +172,17 @@ fn parse_exact(text: &str) -> Option<Ratio<i128>> {
     if shift < 0 { Some(Ratio::new(digits, scale)) } else { Some(Ratio::from_integer(digits.checked_mul(scale)?)) }
 }
 
-/// The finite decimal notation of `ratio`, when it has one of at most 18 places.
+/// The decimal notation of `ratio`, when it is finite and short enough; with an exponent beyond 18 places.
 fn decimal(ratio: &Ratio<i128>) -> Option<String> {
     let (mut scale, mut places) = (1_i128, 0_usize);
     while scale % ratio.denom() != 0 {
         scale = scale.checked_mul(10)?;
         places += 1;
-        if places > 18 {
-            return None;
-        }
     }
     let digits = ratio.numer().checked_mul(&(scale / ratio.denom()))?;
+    if places > 18 {
+        return Some(format!("{digits}e-{places}"));
+    }
     let sign = if digits < 0 { "-" } else { "" };
     let padded = format!("{:0>width$}", digits.unsigned_abs(), width = places + 1);
     let (whole, part) = padded.split_at(padded.len() - places);
