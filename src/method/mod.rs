@@ -3,8 +3,9 @@
 //!
 //! Every method is a folder here and a line in [`METHODS`]; `--help`, the documentation's table and the
 //! conformance tests list them from there. A method says why it does not accept a problem. It never measures
-//! its own solution: [`verify`](crate::verify) does.
+//! its own solution: [`verify`](crate::verify) does. What fitted methods share is in `equation`.
 
+mod equation;
 mod exact;
 mod settings;
 mod sine;

@@ -309,7 +309,7 @@ mod tests {
         let (before, now, after) = (at(s - h), at(s), at(s + h));
         for n in 0..2 {
             let quotient = (&after[n] - &before[n]) / (2.0 * h);
-            // Truncation: h²/6 = 2e-11 times a third or fourth derivative, which numbers near 10 here leave below 1e4.
+            // Truncation: h²/6 = 2e-11 times a third or fourth derivative, here below 5e4.
             assert!((quotient - &now[n + 1]).amax() < 1e-6, "{n}");
         }
     }
