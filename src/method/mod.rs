@@ -7,6 +7,7 @@
 
 mod equation;
 mod exact;
+mod polynomial;
 mod settings;
 mod sine;
 
@@ -103,7 +104,7 @@ pub struct Options {
 }
 
 /// Every method, in the order in which `auto` tries them.
-pub const METHODS: &[&dyn Method] = &[&exact::Exact, &sine::SineSeries];
+pub const METHODS: &[&dyn Method] = &[&exact::Exact, &sine::SineSeries, &polynomial::Polynomial];
 
 /// The name that leaves the choice to the program.
 pub const AUTO: &str = "auto";
