@@ -19,7 +19,7 @@ use indexmap::IndexMap;
 use rustc_hash::FxBuildHasher;
 
 use crate::diagnostic::{Code, Diagnostic, Span};
-use crate::expr::{Derivative, DerivativeFault, ExprId, Graph, NotDifferentiable};
+use crate::expr::{Derivative, ExprId, Graph};
 use crate::limits::Limits;
 use crate::problem::{Patch, Problem};
 
@@ -115,18 +115,6 @@ pub(crate) fn bounded_derivative(
     limits: &Limits,
     origin: Option<Span>,
 ) -> Result<ExprId, Diagnostic> {
-    graph.derivative_within(expr, orders, limits.graph_nodes).map_err(|fault| match fault {
-        DerivativeFault::NotDifferentiable(NotDifferentiable { function }) => {
-            let name = function.row().name;
-            let message = format!("`{name}` has no derivative, and its derivative `{orders}` is needed");
-            Diagnostic::new(Code::NotDifferentiable, message).at(origin).hint("use a smooth function in its place")
-        }
-        DerivativeFault::TooLarge => {
-            let limit = limits.graph_nodes;
-            let message = format!("the derivatives have more distinct parts than the limit `graph-nodes` of {limit}");
-            Diagnostic::new(Code::LimitReached, message)
-                .at(origin)
-                .hint("use fewer factors, or functions nested less deeply")
-        }
-    })
+    let result = graph.derivative_within(expr, orders, limits.graph_nodes);
+    result.map_err(|fault| fault.to_diagnostic(orders, limits.graph_nodes).at(origin))
 }

@@ -9,6 +9,7 @@ use rustc_hash::FxHashMap;
 
 use super::function::Function;
 use super::graph::{ExprId, Graph, Node, Variable};
+use crate::diagnostic::{Code, Diagnostic};
 
 /// Orders of differentiation in u, v and t.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, PartialOrd, Ord)]
@@ -87,6 +88,25 @@ pub enum DerivativeFault {
     NotDifferentiable(NotDifferentiable),
     /// The graph grew past what was allowed.
     TooLarge,
+}
+
+impl DerivativeFault {
+    /// The finding for a derivative of the given orders that was to stay within `allowed`; it has no place yet.
+    #[must_use]
+    pub fn to_diagnostic(self, orders: Derivative, allowed: usize) -> Diagnostic {
+        match self {
+            DerivativeFault::NotDifferentiable(NotDifferentiable { function }) => {
+                let name = function.row().name;
+                let message = format!("`{name}` has no derivative, and its derivative `{orders}` is needed");
+                Diagnostic::new(Code::NotDifferentiable, message).hint("use a smooth function in its place")
+            }
+            DerivativeFault::TooLarge => {
+                let message =
+                    format!("the derivatives have more distinct parts than the limit `graph-nodes` of {allowed}");
+                Diagnostic::new(Code::LimitReached, message).hint("use fewer factors, or functions nested less deeply")
+            }
+        }
+    }
 }
 
 impl From<NotDifferentiable> for DerivativeFault {

@@ -3,9 +3,11 @@
 //!
 //! Every method is a folder here and a line in [`METHODS`]; `--help`, the documentation's table and the
 //! conformance tests list them from there. A method says why it does not accept a problem. It never measures
-//! its own solution: [`verify`](crate::verify) does.
+//! its own solution: [`verify`](crate::verify) does. What fitted methods share is in `equation`.
 
+mod equation;
 mod exact;
+mod polynomial;
 mod settings;
 mod sine;
 
@@ -102,7 +104,7 @@ pub struct Options {
 }
 
 /// Every method, in the order in which `auto` tries them.
-pub const METHODS: &[&dyn Method] = &[&exact::Exact, &sine::SineSeries];
+pub const METHODS: &[&dyn Method] = &[&exact::Exact, &sine::SineSeries, &polynomial::Polynomial];
 
 /// The name that leaves the choice to the program.
 pub const AUTO: &str = "auto";

@@ -17,6 +17,8 @@ pub struct LeastSquares {
     lengths: DVector<f64>,
     /// Singular value decomposition of the triangle, kept when columns depend on each other.
     deficient: Option<SVD<f64, nalgebra::Dyn, nalgebra::Dyn>>,
+    /// An orthonormal basis of what A sends to zero, when there is any.
+    null_space: Option<DMatrix<f64>>,
     cutoff: f64,
     rank: usize,
     condition: f64,
@@ -88,7 +90,32 @@ impl LeastSquares {
             singular(unscaled, false)?.singular_values
         };
         let condition = if rank < columns { f64::INFINITY } else { unscaled.max() / unscaled.min() };
-        Ok(LeastSquares { qr, triangle, lengths, deficient, cutoff, rank, condition })
+        let mut solver = LeastSquares { qr, triangle, lengths, deficient, null_space: None, cutoff, rank, condition };
+        solver.null_space = solver.find_null_space();
+        Ok(solver)
+    }
+
+    fn find_null_space(&self) -> Option<DMatrix<f64>> {
+        let svd = self.deficient.as_ref()?;
+        let directions = svd.v_t.as_ref()?.row_iter().zip(svd.singular_values.iter());
+        let null: Vec<_> =
+            directions.filter(|(_, value)| **value <= self.cutoff).map(|(row, _)| row.transpose()).collect();
+        // Orthonormal for the scaled columns, not for A; scaling back keeps the space and not the angles.
+        (!null.is_empty()).then(|| self.unscaled(DMatrix::from_columns(&null)).qr().q())
+    }
+
+    /// An orthonormal basis, in columns, of the x with `A x = 0`; `None` if columns are independent.
+    #[must_use]
+    pub fn null_space(&self) -> Option<&DMatrix<f64>> {
+        self.null_space.as_ref()
+    }
+
+    /// `vectors` without their part in the null space.
+    fn without_null_part(&self, vectors: DMatrix<f64>) -> DMatrix<f64> {
+        match &self.null_space {
+            Some(null) => &vectors - null * (null.transpose() * &vectors),
+            None => vectors,
+        }
     }
 
     /// The number of columns that are independent within rounding.
@@ -119,13 +146,13 @@ impl LeastSquares {
             Some(svd) => svd.solve(&rotated, self.cutoff).unwrap_or_else(|_| rotated.map(|_| f64::NAN)),
             None => self.triangle.solve_upper_triangular(&rotated).unwrap_or_else(|| rotated.map(|_| f64::NAN)),
         };
-        self.unscaled(solution)
+        self.without_null_part(self.unscaled(solution))
     }
 
     /// `(AᵀA)⁻¹ right`, from the triangular factor; the pseudo-inverse when columns depend on each other.
     #[must_use]
     pub fn solve_gram(&self, right: &DMatrix<f64>) -> DMatrix<f64> {
-        let mut scaled = right.clone();
+        let mut scaled = self.without_null_part(right.clone());
         for (mut row, length) in scaled.row_iter_mut().zip(self.lengths.iter()) {
             row /= *length;
         }
@@ -146,7 +173,45 @@ impl LeastSquares {
                 .and_then(|lower| self.triangle.solve_upper_triangular(&lower))
                 .unwrap_or_else(|| scaled.map(|_| f64::NAN)),
         };
-        self.unscaled(solution)
+        self.without_null_part(self.unscaled(solution))
+    }
+
+    /// The x that minimises `|A x + b|`, and its derivatives in a parameter on which A and b depend.
+    ///
+    /// `systems` holds A, which is the matrix of this solver, and its derivatives; `rights` the same for b. Result n
+    /// is the derivative of order n, a column for each column of b. They follow from `Aᵀ r = 0`, `r = A x + b`,
+    /// differentiated n times (docs/methods.md, S3). When columns depend on each other, x is the shortest solution,
+    /// `x = Aᵀ y`, which decides its part in the null space (S4); that holds while the rank stays as it is.
+    #[must_use]
+    pub fn derivatives(&self, systems: &[DMatrix<f64>], rights: &[DMatrix<f64>]) -> Vec<DMatrix<f64>> {
+        let (mut solutions, mut residuals, mut duals) = (Vec::new(), Vec::new(), Vec::new());
+        for (n, right) in rights.iter().enumerate() {
+            let mut known = right.clone();
+            let mut gradient = DMatrix::zeros(self.unknowns(), right.ncols());
+            let mut transverse = DMatrix::zeros(self.unknowns(), right.ncols());
+            let mut binomial = 1.0;
+            let earlier = solutions.iter().zip(&residuals).zip(&duals).zip(systems.iter().take(n + 1).rev());
+            for (i, (((solution, residual), dual), system)) in earlier.enumerate() {
+                known += system * solution * binomial;
+                gradient += system.transpose() * residual * binomial;
+                transverse += system.transpose() * dual * binomial;
+                binomial = binomial * (n - i) as f64 / (i + 1) as f64;
+            }
+            let mut solution = -self.solve(&known);
+            if n > 0 {
+                solution -= self.solve_gram(&gradient);
+            }
+            let apply = |vectors: &DMatrix<f64>| systems.first().map_or_else(|| right * 0.0, |first| first * vectors);
+            let mut dual = DMatrix::zeros(right.nrows(), right.ncols());
+            if let Some(null) = &self.null_space {
+                solution += null * (null.transpose() * &transverse);
+                dual = apply(&self.solve_gram(&(&solution - &transverse)));
+            }
+            residuals.push(apply(&solution) + known);
+            solutions.push(solution);
+            duals.push(dual);
+        }
+        solutions
     }
 
     /// Undoes pivoting and scaling.
@@ -198,6 +263,55 @@ mod tests {
         let residual = &matrix * &solution - DMatrix::from_row_slice(3, 1, &[1.0, 2.0, 3.0]);
         assert!(residual.amax() < 1e-14, "{solution}");
         assert!(solution.iter().all(|value| value.abs() <= 1.0), "{solution}");
+    }
+
+    #[test]
+    fn shortest_solution_does_not_depend_on_the_lengths_of_columns() {
+        // x + 1000 y = 1001: the shortest solution is 1001 (1, 1000) / 1000001.
+        let matrix = DMatrix::from_row_slice(2, 2, &[1.0, 1000.0, 2.0, 2000.0]);
+        let solver = LeastSquares::new(&matrix).expect("finite");
+        let solution = solver.solve(&DMatrix::from_row_slice(2, 1, &[1001.0, 2002.0]));
+        let expected = DMatrix::from_row_slice(2, 1, &[1001.0 / 1_000_001.0, 1_001_000.0 / 1_000_001.0]);
+        // The solution with columns of one length, about 500, is cancelled down to the shortest one.
+        assert!((solution - expected).amax() < 500.0 * 8.0 * f64::EPSILON);
+        assert_eq!(solver.null_space().map(DMatrix::shape), Some((2, 1)));
+    }
+
+    /// A(s), b(s) and their derivatives: polynomials in s; the last column is s times the one before it.
+    fn moving_system(s: f64) -> (Vec<DMatrix<f64>>, Vec<DMatrix<f64>>) {
+        let matrix = |f: fn(f64) -> [f64; 2], s: f64, slope: f64, bend: f64| {
+            let rows = [1.0, 2.0, -1.0, 0.5].map(|w| {
+                let [a, b] = f(w);
+                // Columns c1 = a + b s, c2 = b + a s², c3 = s c2, as value, slope or second derivative.
+                let c2 = [b + a * s * s, 2.0 * a * s, 2.0 * a];
+                let value = [a + b * s, c2[0], s * c2[0]];
+                let first = [b, c2[1], c2[0] + s * c2[1]];
+                let second = [0.0, c2[2], 2.0 * c2[1] + s * c2[2]];
+                [0, 1, 2].map(|k| value[k] * (1.0 - slope - bend) + slope * first[k] + bend * second[k])
+            });
+            DMatrix::from_row_iterator(4, 3, rows.into_iter().flatten())
+        };
+        let f = |w: f64| [w, 1.0 + w * w];
+        let systems = vec![matrix(f, s, 0.0, 0.0), matrix(f, s, 1.0, 0.0), matrix(f, s, 0.0, 1.0)];
+        let right = |c: f64, d: f64| DMatrix::from_row_slice(4, 1, &[c, d, 2.0 * c, -d]);
+        (systems, vec![right(1.0 + s, s * s), right(1.0, 2.0 * s), right(0.0, 2.0)])
+    }
+
+    #[test]
+    fn derivatives_of_the_shortest_solution_agree_with_difference_quotients() {
+        let at = |s: f64| {
+            let (systems, rights) = moving_system(s);
+            let solver = LeastSquares::new(&systems[0]).expect("finite");
+            assert_eq!(solver.rank(), 2);
+            solver.derivatives(&systems, &rights)
+        };
+        let (s, h) = (0.7, 1e-5);
+        let (before, now, after) = (at(s - h), at(s), at(s + h));
+        for n in 0..2 {
+            let quotient = (&after[n] - &before[n]) / (2.0 * h);
+            // Truncation: h²/6 = 2e-11 times a third or fourth derivative, here below 5e4.
+            assert!((quotient - &now[n + 1]).amax() < 1e-6, "{n}");
+        }
     }
 
     #[test]

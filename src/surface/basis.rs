@@ -7,6 +7,7 @@ use rustc_hash::FxHashMap;
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::eval::{Backend, Evaluator, Program, Samples, compile, first_non_finite};
 use crate::expr::{Derivative, ExprId, Graph, Notation};
+use crate::limits::Limits;
 
 /// Functions of v and t that can be evaluated together with any of their derivatives.
 ///
@@ -16,6 +17,7 @@ pub struct Basis {
     names: Vec<String>,
     compiled: Mutex<Compiled>,
     backend: Backend,
+    graph_nodes: usize,
 }
 
 /// What grows when a new derivative is asked for.
@@ -30,13 +32,13 @@ const NAME_BYTES: usize = 80;
 impl Basis {
     /// The `functions` of `graph`, each with the place it comes from.
     #[must_use]
-    pub fn new(graph: Graph, functions: Vec<(ExprId, Option<Span>)>, backend: Backend) -> Basis {
+    pub fn new(graph: Graph, functions: Vec<(ExprId, Option<Span>)>, backend: Backend, limits: &Limits) -> Basis {
         let name = |(expr, _): &(ExprId, Option<Span>)| {
             graph.text(*expr, Notation::Ascii, NAME_BYTES).unwrap_or_else(|_| "a long expression".to_owned())
         };
         let names = functions.iter().map(name).collect();
         let compiled = Mutex::new(Compiled { graph, evaluators: FxHashMap::default() });
-        Basis { functions, names, compiled, backend }
+        Basis { functions, names, compiled, backend, graph_nodes: limits.graph_nodes }
     }
 
     /// The number of functions.
@@ -55,8 +57,8 @@ impl Basis {
     /// `values[j * v.len() + i]`. `derivative.u` is ignored.
     ///
     /// # Errors
-    /// [`Code::NotDifferentiable`] for a derivative that does not exist, [`Code::DataNotFinite`] for the first
-    /// value that is not finite; both name the function.
+    /// [`Code::NotDifferentiable`] for a derivative that does not exist, [`Code::LimitReached`] for one that grows too
+    /// large, [`Code::DataNotFinite`] for the first value that is not finite, with its function.
     pub fn values(&self, derivative: Derivative, params: &[f64], v: &[f64], t: &[f64]) -> Result<Vec<f64>, Diagnostic> {
         let evaluator = self.evaluator(Derivative { u: 0, ..derivative })?;
         let mut values = vec![0.0; self.len() * v.len()];
@@ -80,13 +82,9 @@ impl Basis {
             return Ok(Arc::clone(evaluator));
         }
         let mut outputs = Vec::with_capacity(self.functions.len());
-        for ((expr, origin), name) in self.functions.iter().zip(&self.names) {
-            outputs.push(graph.derivative(*expr, derivative).map_err(|fault| {
-                let function = fault.function.row().name;
-                let message =
-                    format!("`{function}` in `{name}` has no derivative, and its derivative `{derivative}` is needed");
-                Diagnostic::new(Code::NotDifferentiable, message).at(*origin)
-            })?);
+        for (expr, origin) in &self.functions {
+            let result = graph.derivative_within(*expr, derivative, self.graph_nodes);
+            outputs.push(result.map_err(|fault| fault.to_diagnostic(derivative, self.graph_nodes).at(*origin))?);
         }
         let (evaluator, _) = compile(Program::compile(graph, &outputs), self.backend);
         evaluators.insert(derivative, Arc::clone(&evaluator));

@@ -7,9 +7,11 @@
 //! A new family is one file here and one line in [`families`].
 
 mod legendre;
+mod powers;
 mod sine;
 
 pub use legendre::IntegratedLegendre;
+pub use powers::Powers;
 pub use sine::Sine;
 
 use std::fmt::Debug;
@@ -29,7 +31,7 @@ pub trait TrialFamily: Debug + Send + Sync {
 /// Every family, with room for `count` functions in an equation of order `order`.
 #[must_use]
 pub fn families(order: usize, count: usize) -> Vec<Arc<dyn TrialFamily>> {
-    vec![Arc::new(Sine), Arc::new(IntegratedLegendre::new(order, count))]
+    vec![Arc::new(Sine), Arc::new(IntegratedLegendre::new(order, count)), Arc::new(Powers::new(order))]
 }
 
 /// The functions of u that a separable surface is made of.
@@ -113,6 +115,19 @@ mod tests {
             let expected = (k_pi * u).sin() - k_pi * u + k_pi * (2.0 + sign) * u * u - k_pi * (1.0 + sign) * u * u * u;
             // A dozen operations on numbers below 3 k pi < 48.
             assert!((value - expected).abs() < 12.0 * 48.0 * f64::EPSILON, "{k}: {value} {expected}");
+        }
+    }
+
+    #[test]
+    fn corrected_powers_are_the_trial_functions_of_equation_5() {
+        let functionals = [(0.0, 0), (0.0, 1), (1.0, 0), (1.0, 1)];
+        let trial = CorrectedTrial::new(Arc::new(Powers::new(4)), 7, [0.0, 1.0], &functionals).expect("independent");
+        for u in [0.0_f64, 0.2, 0.73, 1.0] {
+            for (n, value) in (4..=10).zip(trial.derivatives(0, u).into_iter().skip(4)) {
+                let expected = f64::from(n - 3) * u * u - f64::from(n - 2) * u * u * u + u.powi(n);
+                // A handful of operations on numbers up to 8.
+                assert!((value - expected).abs() < 6.0 * 8.0 * f64::EPSILON, "{n}: {value} {expected}");
+            }
         }
     }
 

@@ -17,6 +17,7 @@ mod exact;
 mod exports;
 mod language;
 mod meshes;
+mod polynomial;
 mod reference;
 mod robustness;
 mod spec;

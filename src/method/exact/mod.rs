@@ -94,7 +94,7 @@ impl Method for Exact {
             entry_values: interpreted(&entries),
             force_values: interpreted(&forces),
             constant_values: interpreted(&constants),
-            basis: Arc::new(Basis::new(graph.clone(), functions, options.backend)),
+            basis: Arc::new(Basis::new(graph.clone(), functions, options.backend, &options.limits)),
             system,
         }))
     }

@@ -4,8 +4,7 @@
 //! matrix A = Q R, the sum of its squares over all m is that of `Σ_p R_ip G^(p)(u_l)` over the rows i of R:
 //! M rows become at most P, exactly (docs/methods.md, S2).
 //!
-//! The fitted P_k depend on t through A. Their derivatives follow from those of the normal equations
-//! `Φᵀ(Φ x + b) = 0`, differentiated term by term (S3); only the gradient of the residual goes through ΦᵀΦ.
+//! The fitted P_k depend on t through A; their derivatives are those of a least-squares solution (S3).
 
 use nalgebra::DMatrix;
 
@@ -66,7 +65,7 @@ impl Collocation {
             rights.push(combine(&part, &self.cardinal) * stated);
         }
         let solver = LeastSquares::new(systems.first().unwrap_or(&DMatrix::zeros(0, 0)))?;
-        let derivatives = differentiate(&solver, &systems, &rights);
+        let derivatives = solver.derivatives(&systems, &rights);
         Ok(Fit { derivatives, condition: solver.condition(), rank: solver.rank() })
     }
 }
@@ -82,32 +81,4 @@ fn combine(part: &DMatrix<f64>, values: &[DMatrix<f64>]) -> DMatrix<f64> {
         }
     }
     combined
-}
-
-/// x and its derivatives from `Φᵀ r = 0`, `r = Φ x + b`, with Φ and b and their derivatives given.
-fn differentiate(solver: &LeastSquares, systems: &[DMatrix<f64>], rights: &[DMatrix<f64>]) -> Vec<DMatrix<f64>> {
-    let (mut solutions, mut residuals): (Vec<DMatrix<f64>>, Vec<DMatrix<f64>>) = (Vec::new(), Vec::new());
-    for (n, right) in rights.iter().enumerate() {
-        let mut known = right.clone();
-        let mut gradient: Option<DMatrix<f64>> = None;
-        let mut binomial = 1.0;
-        let earlier = solutions.iter().zip(&residuals).zip(systems.iter().take(n + 1).rev());
-        for (i, ((solution, residual), system)) in earlier.enumerate() {
-            known += system * solution * binomial;
-            let part = system.transpose() * residual * binomial;
-            gradient = Some(match gradient {
-                Some(sum) => sum + part,
-                None => part,
-            });
-            binomial = binomial * (n - i) as f64 / (i + 1) as f64;
-        }
-        let mut solution = -solver.solve(&known);
-        if let Some(gradient) = gradient {
-            solution -= solver.solve_gram(&gradient);
-        }
-        let residual = systems.first().map_or_else(|| known.clone(), |first| first * &solution + &known);
-        solutions.push(solution);
-        residuals.push(residual);
-    }
-    solutions
 }
