@@ -114,6 +114,8 @@ codes! {
     Amplified = "N0406", Note, Numerical, "The equation amplifies its data.";
     NearlyResonant = "W0407", Warning, Numerical, "The equation is close to resonance.";
     Resonant = "E0408", Error, Numerical, "The equation is resonant.";
+    SeamOpens = "W0409", Warning, Numerical, "The boundary closes in v, and the surface between does not.";
+    SolutionNotUnique = "W0410", Warning, Numerical, "The equation has other solutions with the same boundary.";
     LimitReached = "E0901", Error, Limit, "A limit was reached.";
     HostUnsupported = "N0902", Note, Host, "The machine lacks something; the work goes on another way.";
     OutputFailed = "E0903", Error, Output, "Writing a result failed.";

@@ -8,6 +8,7 @@
 mod exact;
 mod settings;
 mod sine;
+mod static_blend;
 
 pub use settings::{Fit, Settings, Size, Terms};
 
@@ -102,7 +103,7 @@ pub struct Options {
 }
 
 /// Every method, in the order in which `auto` tries them.
-pub const METHODS: &[&dyn Method] = &[&exact::Exact, &sine::SineSeries];
+pub const METHODS: &[&dyn Method] = &[&exact::Exact, &sine::SineSeries, &static_blend::StaticBlend];
 
 /// The name that leaves the choice to the program.
 pub const AUTO: &str = "auto";
