@@ -10,3 +10,4 @@ mod documents;
 mod evaluators;
 mod exports;
 mod meshes;
+mod static_blend;

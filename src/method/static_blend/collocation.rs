@@ -8,10 +8,10 @@ use crate::trial::Modes;
 
 /// Everything the equations are made of, as numbers at the points.
 pub struct Collocation {
-    /// Orders of the terms in u and v.
-    pub orders: Vec<[usize; 2]>,
-    /// For each order in u up to 4, a row per node: the cardinal functions, then the hidden ones.
-    along_u: Vec<DMatrix<f64>>,
+    /// The order of each term in u.
+    pub orders: Vec<usize>,
+    /// For each order in u, a row per node: the cardinal functions, then the hidden ones.
+    pub along_u: Vec<DMatrix<f64>>,
     /// Values in v by term and order in t: a row per function, the data's first, and a column per node.
     pub along_v: Vec<Vec<DMatrix<f64>>>,
     /// Coefficients by term and component, at every point.
@@ -24,64 +24,49 @@ pub struct Collocation {
     pub data: usize,
 }
 
-impl Collocation {
-    /// Nothing but the functions of u at the nodes.
-    pub fn new(modes: &BlendModes, u: &[f64], highest_order: usize) -> Collocation {
-        let table = |order: usize| {
-            let rows: Vec<f64> = u.iter().flat_map(|u| modes.derivatives(order, *u)).collect();
-            DMatrix::from_row_slice(u.len(), modes.count(), &rows)
-        };
-        Collocation {
-            orders: Vec::new(),
-            along_u: (0..=highest_order).map(table).collect(),
-            along_v: Vec::new(),
-            coefficients: Vec::new(),
-            force: Vec::new(),
-            stated: Vec::new(),
-            data: 0,
-        }
-    }
+/// The modes at the nodes `u`, for every order up to `highest`: a row per node.
+pub fn along_u(modes: &BlendModes, u: &[f64], highest: usize) -> Vec<DMatrix<f64>> {
+    let table = |order: usize| {
+        let rows: Vec<f64> = u.iter().flat_map(|u| modes.derivatives(order, *u)).collect();
+        DMatrix::from_row_slice(u.len(), modes.count(), &rows)
+    };
+    (0..=highest).map(table).collect()
+}
 
+impl Collocation {
     /// The matrix of one component: rows are points, u-major; columns are (m, n), n running faster.
     pub fn matrix(&self, component: usize) -> DMatrix<f64> {
-        let (nodes_v, functions) = self.along_v.iter().flatten().next().map_or((0, 0), |v| (v.ncols(), v.nrows()));
-        let (nodes_u, modes) = self.along_u.first().map_or((0, 0), DMatrix::shape);
-        let powers = functions - self.data;
-        let mut matrix = DMatrix::zeros(nodes_u * nodes_v, (modes - CARDINAL) * powers);
-        for ((&[order, _], in_v), coefficients) in self.orders.iter().zip(&self.along_v).zip(&self.coefficients) {
-            let (Some(in_u), Some(in_v)) = (self.along_u.get(order), in_v.first()) else { continue };
+        let mut matrix = DMatrix::zeros(0, 0);
+        for (term, (&order, coefficients)) in self.along_v.iter().zip(self.orders.iter().zip(&self.coefficients)) {
+            let (Some(in_u), Some(in_v)) = (self.along_u.get(order), term.first()) else { continue };
             let Some(coefficient) = coefficients.get(component) else { continue };
-            for (row, coefficient) in coefficient.iter().enumerate() {
-                let (k, l) = (row / nodes_v, row % nodes_v);
-                for column in 0..matrix.ncols() {
-                    let (m, n) = (column / powers, column % powers);
-                    matrix[(row, column)] += coefficient * in_u[(k, CARDINAL + m)] * in_v[(self.data + n, l)];
-                }
+            let (hidden, powers) = (in_u.ncols() - CARDINAL, in_v.nrows() - self.data);
+            let mut part = in_u.columns(CARDINAL, hidden).kronecker(&in_v.rows(self.data, powers).transpose());
+            for (mut row, factor) in part.row_iter_mut().zip(coefficient) {
+                row *= *factor;
             }
+            matrix = if matrix.is_empty() { part } else { matrix + part };
         }
         matrix
     }
 
     /// The right-hand sides of one component, a column per order in t.
     pub fn right(&self, component: usize) -> DMatrix<f64> {
-        let nodes_v = self.along_v.iter().flatten().next().map_or(0, DMatrix::ncols);
-        let rows = self.along_u.first().map_or(0, DMatrix::nrows) * nodes_v;
         let stated = DMatrix::from_fn(CARDINAL, self.data, |condition, j| {
             self.stated.get((condition * self.data + j) * 3 + component).copied().unwrap_or(f64::NAN)
         });
-        let mut right = DMatrix::from_fn(rows, self.force.len(), |row, order| {
-            let force = self.force.get(order).and_then(|force| force.get(component));
-            force.and_then(|force| force.get(row)).copied().unwrap_or(f64::NAN)
-        });
-        for ((&[order, _], in_v), coefficients) in self.orders.iter().zip(&self.along_v).zip(&self.coefficients) {
+        let force = self.force.iter().filter_map(|vectors| vectors.get(component));
+        let rows = force.clone().next().map_or(0, Vec::len);
+        let mut right = DMatrix::from_iterator(rows, self.force.len(), force.flatten().copied());
+        for (term, (&order, coefficients)) in self.along_v.iter().zip(self.orders.iter().zip(&self.coefficients)) {
             let (Some(in_u), Some(coefficient)) = (self.along_u.get(order), coefficients.get(component)) else {
                 continue;
             };
-            for (in_time, in_v) in in_v.iter().enumerate() {
-                // B_i^(p)(u_k) c_ij F_j^(q)(v_l), summed over i and j.
-                let blend = in_u.columns(0, CARDINAL) * &stated * in_v.rows(0, self.data);
-                for (row, coefficient) in coefficient.iter().enumerate() {
-                    right[(row, in_time)] -= coefficient * blend[(row / nodes_v, row % nodes_v)];
+            for (in_v, mut column) in term.iter().zip(right.column_iter_mut()) {
+                // B_i^(p)(u_k) c_ij F_j^(q)(v_l), summed over i and j; transposed, so that l runs faster.
+                let blend = (in_u.columns(0, CARDINAL) * &stated * in_v.rows(0, self.data)).transpose();
+                for ((value, factor), blend) in column.iter_mut().zip(coefficient).zip(blend.iter()) {
+                    *value -= factor * blend;
                 }
             }
         }

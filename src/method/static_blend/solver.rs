@@ -5,7 +5,7 @@ use std::sync::Arc;
 use nalgebra::DMatrix;
 
 use super::StaticBlend;
-use super::collocation::Collocation;
+use super::collocation::{Collocation, along_u};
 use super::modes::{BlendModes, CARDINAL};
 use super::null_space::smallest_exponent;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
@@ -141,19 +141,15 @@ impl StaticSolver {
         params: &[f64],
         stated: Vec<f64>,
     ) -> Result<Collocation, Diagnostic> {
-        let highest = self.terms.iter().map(|term| term.u).max().unwrap_or(0);
-        let mut collocation = Collocation::new(modes, u, highest);
-        collocation.orders = self.terms.iter().map(|term| [term.u, term.v]).collect();
-        collocation.data = self.data();
-        collocation.stated = stated;
         let levels = if self.varies_in_time { self.orders_in_t + 1 } else { 1 };
+        let mut along_v = Vec::with_capacity(self.terms.len());
         for term in &self.terms {
             let mut in_time = Vec::with_capacity(levels);
             for order in 0..levels {
                 let values = self.basis.values(Derivative::new(0, term.v, order), params, v, &vec![t; v.len()])?;
                 in_time.push(DMatrix::from_row_slice(self.basis.len(), v.len(), &values));
             }
-            collocation.along_v.push(in_time);
+            along_v.push(in_time);
         }
         let all_u: Vec<f64> = u.iter().flat_map(|&u| v.iter().map(move |_| u)).collect();
         let all_v: Vec<f64> = u.iter().flat_map(|_| v.iter().copied()).collect();
@@ -166,8 +162,15 @@ impl StaticSolver {
             let mut components = vector.chunks(all_u.len()).map(<[f64]>::to_vec);
             [(); 3].map(|()| components.next().unwrap_or_default())
         });
-        collocation.coefficients = vectors.by_ref().take(self.terms.len()).collect();
-        collocation.force = vectors.take(levels).collect();
+        let collocation = Collocation {
+            orders: self.terms.iter().map(|term| term.u).collect(),
+            along_u: along_u(modes, u, self.terms.iter().map(|term| term.u).max().unwrap_or(0)),
+            along_v,
+            coefficients: vectors.by_ref().take(self.terms.len()).collect(),
+            force: vectors.take(levels).collect(),
+            stated,
+            data: self.data(),
+        };
         self.check_leading(&collocation)?;
         Ok(collocation)
     }
@@ -202,10 +205,15 @@ impl StaticSolver {
         report.condition = report.condition.map(|condition| condition.max(factorised.condition()));
         report.rank += factorised.rank();
         report.unknowns += factorised.unknowns();
-        if factorised.rank() < factorised.unknowns() {
-            let (rank, unknowns) = (factorised.rank(), factorised.unknowns());
-            let message =
-                format!("the points determine {rank} of {unknowns} coefficients; the smallest solution is taken");
+        let (rank, unknowns) = (factorised.rank(), factorised.unknowns());
+        // Columns are scaled before the rank is taken, so one that is all rounding errors still counts.
+        let is_lost = factorised.condition() * f64::EPSILON * unknowns as f64 > 1.0;
+        if rank < unknowns || is_lost {
+            let message = if rank < unknowns {
+                format!("the points determine {rank} of {unknowns} coefficients; the smallest solution is taken")
+            } else {
+                format!("the system's condition {:.1e} leaves no correct digits", factorised.condition())
+            };
             let finding = Diagnostic::new(Code::RankDeficient, message).at(self.origin);
             report.warnings.push(finding.hint("use another kind of points, or other powers"));
         }
