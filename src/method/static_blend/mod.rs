@@ -198,12 +198,15 @@ fn sizes(decomposition: &Decomposition, options: &Options) -> Result<([usize; 2]
     }
     // As the paper: as many points as unknowns, equally spaced.
     let default = Size { u: m + 1, v: n + 1, kind: NodeKind::Ends };
-    let (points, points_origin) = options.settings.points.unwrap_or((default, None));
+    // Points that follow from the terms are theirs to answer for.
+    let (points, points_origin) = options.settings.points.unwrap_or((default, terms_origin));
     if points.u <= m || points.v <= n {
         let message = format!("{} x {} points do not determine terms up to u^{m} v^{n}", points.u, points.v);
-        return Err(Diagnostic::new(Code::SettingOutOfRange, message)
-            .at(points_origin.or(terms_origin))
-            .hint(format!("give at least {} x {} points", m + 1, n + 1)));
+        return Err(Diagnostic::new(Code::SettingOutOfRange, message).at(points_origin).hint(format!(
+            "give at least {} x {} points",
+            m + 1,
+            n + 1
+        )));
     }
     let limits = &options.limits;
     let (unknowns, rows) = ((m + 1) * (n + 1), points.u.saturating_mul(points.v));
@@ -219,7 +222,7 @@ fn sizes(decomposition: &Decomposition, options: &Options) -> Result<([usize; 2]
                 "terms up to u^{m} v^{n} on {} x {} points need {size}, above the limit `{name}` of {limit}",
                 points.u, points.v
             );
-            return Err(Diagnostic::new(Code::LimitReached, message).at(points_origin.or(terms_origin)));
+            return Err(Diagnostic::new(Code::LimitReached, message).at(points_origin));
         }
     }
     Ok((powers, points))
