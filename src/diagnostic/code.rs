@@ -116,6 +116,8 @@ codes! {
     Resonant = "E0408", Error, Numerical, "The equation is resonant.";
     OrderDrops = "E0409", Error, Numerical, "The highest derivative in u drops out of the equation.";
     MethodPassedOver = "N0410", Note, Unsupported, "A better method cannot treat this problem.";
+    SeamOpens = "W0411", Warning, Numerical, "The boundary closes in v, and the surface between does not.";
+    SolutionNotUnique = "W0412", Warning, Numerical, "The equation has other solutions with the same boundary.";
     LimitReached = "E0901", Error, Limit, "A limit was reached.";
     HostUnsupported = "N0902", Note, Host, "The machine lacks something; the work goes on another way.";
     OutputFailed = "E0903", Error, Output, "Writing a result failed.";

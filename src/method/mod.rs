@@ -10,6 +10,7 @@ mod exact;
 mod polynomial;
 mod settings;
 mod sine;
+mod static_blend;
 
 pub use settings::{Fit, Settings, Size, Terms};
 
@@ -104,7 +105,8 @@ pub struct Options {
 }
 
 /// Every method, in the order in which `auto` tries them.
-pub const METHODS: &[&dyn Method] = &[&exact::Exact, &sine::SineSeries, &polynomial::Polynomial];
+pub const METHODS: &[&dyn Method] =
+    &[&exact::Exact, &sine::SineSeries, &polynomial::Polynomial, &static_blend::StaticBlend];
 
 /// The name that leaves the choice to the program.
 pub const AUTO: &str = "auto";

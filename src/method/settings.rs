@@ -54,7 +54,7 @@ impl Size {
     pub fn read(text: &str) -> Result<Size, Diagnostic> {
         let wrong = || {
             Diagnostic::new(Code::UnknownSetting, format!("`{text}` is not a grid"))
-                .hint("write `11 x 11`, or `11 x 11 : ends`; the kinds are midpoints, ends and gauss")
+                .hint("write `11 x 11`, or `11 x 11 : ends`; the kinds are midpoints, ends, gauss and chebyshev")
         };
         let (counts, kind) = match text.split_once(':') {
             Some((counts, kind)) => {
@@ -153,7 +153,7 @@ impl Settings {
                 let finding = Diagnostic::new(Code::UnknownSetting, format!("there is no setting `{key}`"));
                 return Err(finding
                     .at(origin)
-                    .hint("settings: terms = K, points = L x M [: midpoints | ends | gauss], fit = joint | per-basis, tolerance = X"));
+                    .hint("settings: terms = K, points = L x M [: midpoints | ends | gauss | chebyshev], fit = joint | per-basis, tolerance = X"));
             }
         }
         Ok(())

@@ -10,12 +10,18 @@ pub enum NodeKind {
     Ends,
     /// The zeros of the Legendre polynomial of degree L.
     Gauss,
+    /// The zeros of the Chebyshev polynomial of degree L: `(1 - cos(π(2l - 1)/(2L)))/2`.
+    Chebyshev,
 }
 
 impl NodeKind {
     /// All kinds with the names users give them.
-    pub const NAMED: [(&str, NodeKind); 3] =
-        [("midpoints", NodeKind::Midpoints), ("ends", NodeKind::Ends), ("gauss", NodeKind::Gauss)];
+    pub const NAMED: [(&str, NodeKind); 4] = [
+        ("midpoints", NodeKind::Midpoints),
+        ("ends", NodeKind::Ends),
+        ("gauss", NodeKind::Gauss),
+        ("chebyshev", NodeKind::Chebyshev),
+    ];
 }
 
 /// `count` ascending nodes in `[low, high]`; exact at the ends where a node lies on one.
@@ -29,6 +35,10 @@ pub fn nodes(kind: NodeKind, count: usize, [low, high]: [f64; 2]) -> Vec<f64> {
         NodeKind::Ends if count < 2 => (0..count).map(|_| between(0.5)).collect(),
         NodeKind::Ends => (0..count).map(|l| between(l as f64 / (total - 1.0))).collect(),
         NodeKind::Gauss => (0..count).map(|l| between(0.5 * (1.0 - legendre_zero(count, l)))).collect(),
+        NodeKind::Chebyshev => {
+            let share = |l: usize| 0.5 * (1.0 - libm::cos(std::f64::consts::PI * (l as f64 + 0.5) / total));
+            (0..count).map(|l| between(share(l))).collect()
+        }
     }
 }
 
@@ -63,6 +73,15 @@ mod tests {
         let high = 2.0 * std::f64::consts::PI;
         let nodes = nodes(NodeKind::Ends, 11, [0.1, high]);
         assert_eq!((nodes.first(), nodes.last()), (Some(&0.1), Some(&high)));
+    }
+
+    #[test]
+    fn chebyshev_nodes_are_zeros_of_the_chebyshev_polynomial() {
+        // The zeros of T3 are 0 and ±sqrt(3)/2.
+        let expected = [-0.75_f64.sqrt(), 0.0, 0.75_f64.sqrt()];
+        for (node, expected) in nodes(NodeKind::Chebyshev, 3, [-1.0, 1.0]).iter().zip(expected) {
+            assert!((node - expected).abs() < 4.0 * f64::EPSILON, "{node} {expected}");
+        }
     }
 
     #[test]

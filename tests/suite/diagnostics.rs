@@ -18,6 +18,8 @@ const ELSEWHERE: &[(Code, &str)] = &[
     (Code::PointOutsideDomain, "points and instants of the command line"),
     (Code::BadPoints, "tables of points of the command line"),
     (Code::MethodPassedOver, "the choice of `auto`, which tests of methods make"),
+    (Code::SeamOpens, "tests of the method `static_blend`"),
+    (Code::SolutionNotUnique, "tests of the method `static_blend`"),
     (Code::HostUnsupported, "a machine without machine code"),
     (Code::OutputFailed, "a full disk"),
     (Code::DegenerateNormals, "a mesh"),

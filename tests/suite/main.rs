@@ -21,3 +21,4 @@ mod polynomial;
 mod reference;
 mod robustness;
 mod spec;
+mod static_blend;

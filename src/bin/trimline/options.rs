@@ -105,16 +105,16 @@ pub struct Solving {
 /// The collocation grid of commands that take no points of their own.
 #[derive(Args)]
 pub struct Collocation {
-    /// Collocation grid, for example `11x11`, `11x11:ends`; nodes are midpoints, ends or gauss.
+    /// Collocation grid, for example `11x11`, `11x11:ends`; nodes are midpoints, ends, gauss or chebyshev.
     #[arg(long, value_name = "LxM[:KIND]")]
     pub points: Option<String>,
 }
 
 fn method_help() -> String {
-    let rows = METHODS.iter().map(|method| format!("  {:10} {}", method.name(), method.description()));
+    let rows = METHODS.iter().map(|method| format!("  {:12} {}", method.name(), method.description()));
     let rows: Vec<String> = rows.collect();
     format!(
-        "The solution method, instead of the spec's:\n  auto       the first that accepts the problem\n{}",
+        "The solution method, instead of the spec's:\n  auto         the first that accepts the problem\n{}",
         rows.join("\n")
     )
 }
