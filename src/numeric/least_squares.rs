@@ -64,11 +64,18 @@ impl LeastSquares {
             return Err(LeastSquaresError::NotFinite { row: index % rows, column: index / rows });
         }
         let lengths = DVector::from_iterator(columns, matrix.column_iter().map(|c| c.norm()));
-        let lengths = lengths.map(|length| if length > 0.0 { length } else { 1.0 });
+        // A column this far below the longest is rounding errors: a function that is zero at every node. Scaled to
+        // length one it would pass for a full column and get a huge coefficient.
+        let noise = 64.0 * f64::EPSILON * lengths.max();
         let mut scaled = matrix.clone();
         for (mut column, length) in scaled.column_iter_mut().zip(lengths.iter()) {
-            column /= *length;
+            if *length > noise {
+                column /= *length;
+            } else {
+                column.fill(0.0);
+            }
         }
+        let lengths = lengths.map(|length| if length > noise { length } else { 1.0 });
         let qr = scaled.col_piv_qr();
         let triangle = qr.r();
         let singular = |matrix: DMatrix<f64>, vectors: bool| {
@@ -251,6 +258,16 @@ mod tests {
         let error = matrix.transpose() * &matrix * solution - &right;
         // The unscaled condition 1e8 enters once, as products of size 1e17 cancel to 2.
         assert!(error.amax() < 1e-7, "{error}");
+    }
+
+    #[test]
+    fn a_column_of_rounding_errors_is_no_column() {
+        let matrix = DMatrix::from_row_slice(3, 2, &[1.0, 1e-17, 2.0, -3e-17, 2.0, 2e-17]);
+        let solver = LeastSquares::new(&matrix).expect("finite");
+        assert_eq!(solver.rank(), 1);
+        let solution = solver.solve(&DMatrix::from_row_slice(3, 1, &[1.0, 2.0, 2.5]));
+        // Without the column there is nothing to divide by 1e-17.
+        assert!(solution[1].abs() < 1e-14, "{solution}");
     }
 
     #[test]

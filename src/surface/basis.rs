@@ -41,6 +41,12 @@ impl Basis {
         Basis { functions, names, compiled, backend, graph_nodes: limits.graph_nodes }
     }
 
+    /// The text of every function; long ones are cut.
+    #[must_use]
+    pub fn names(&self) -> &[String] {
+        &self.names
+    }
+
     /// The number of functions.
     #[must_use]
     pub fn len(&self) -> usize {

@@ -14,7 +14,6 @@ use table::{ROWS, Spec};
 /// Codes that no text produces by itself, and what does.
 const ELSEWHERE: &[(Code, &str)] = &[
     (Code::NotUtf8, "bytes that are not text: below"),
-    (Code::RankDeficient, "columns that are zero to the last bit; no known text makes them"),
     (Code::PointOutsideDomain, "points and instants of the command line"),
     (Code::BadPoints, "tables of points of the command line"),
     (Code::MethodPassedOver, "the choice of `auto`, which tests of methods make"),

@@ -100,10 +100,12 @@ fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Vec<P
         };
         let mut worst: Option<Verification> = None;
         let mut method = "";
+        let mut amplification: Option<f64> = None;
         for (index, &time) in times.iter().enumerate() {
             let solved = spec.solve(&patched, time)?;
             let measured = spec.verify(&patched, &solved)?;
             method = solved.solution.report.method;
+            amplification = amplification.max(solved.solution.report.amplification);
             if index == 0 {
                 print_warnings(&solved.solution.report.warnings, &spec.source, terminal);
             }
@@ -113,7 +115,8 @@ fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Vec<P
             });
         }
         if let Some(worst) = worst {
-            reports.push(patch_report(&spec, &patched, method, &worst, times)?);
+            let report = patch_report(&spec, &patched, method, &worst, times)?;
+            reports.push(PatchReport { amplification, ..report });
         }
     }
     Ok(reports)

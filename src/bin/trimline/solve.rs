@@ -5,8 +5,6 @@ use std::fmt::Write;
 use clap::Args;
 use serde::Serialize;
 
-use trimline::diagnostic::{Diagnostic, Severity};
-use trimline::expr::Notation;
 use trimline::verify::Verification;
 
 use crate::Outcome;
@@ -120,18 +118,16 @@ fn patch_solution(
     let conditions = patched.prepared.patch().conditions.len();
     let all = surface.coefficients.first().map_or(&[][..], Vec::as_slice);
     let mut coefficients = Vec::new();
-    for (j, function) in patched.prepared.decomposition.basis.iter().enumerate() {
+    for (j, name) in surface.basis.names().iter().enumerate() {
         let of_function: Vec<[f64; 3]> = all.iter().skip(j).step_by(count.max(1)).copied().collect();
         let (boundary, terms) = of_function.split_at_checked(conditions).unwrap_or_default();
-        let text = patched.prepared.decomposition.text_of(function.expr, Notation::Ascii, &spec.limits);
         coefficients.push(FunctionCoefficients {
-            basis: text.map_err(|finding| spec.fault(finding))?,
+            basis: name.clone(),
             boundary: boundary.to_vec(),
             terms: terms.to_vec(),
         });
     }
-    let is_warning = |finding: &&Diagnostic| finding.severity() == Severity::Warning;
-    let warnings = report.warnings.iter().filter(is_warning);
+    let warnings = report.warnings.iter();
     Ok(PatchSolution {
         name: patched.prepared.patch().name.clone(),
         method: report.method,
@@ -159,23 +155,27 @@ fn patch_solution(
 
 /// Writing to a string does not fail.
 fn write_text(text: &mut String, solution: &PatchSolution, patched: &Patched) {
-    let condition = solution.condition.map_or_else(|| "unbounded".to_owned(), |condition| format!("{condition:.1e}"));
+    let when = if solution.exact { "for every t".to_owned() } else { format!("at t = {}", solution.time) };
+    let functions = match solution.closure_size {
+        Some(closure) => format!("{} basis functions, {closure} with their closure", solution.basis_size),
+        None => format!("{} basis functions", solution.basis_size),
+    };
     let _ = writeln!(
         text,
-        "patch {}: method {}, {} basis functions, {} terms each, at t = {}\n\
-         boundary error  {:.1e}\n\
-         PDE residual    {:.1e} of the largest term\n\
-         rank            {} of {}, condition {condition}",
-        solution.name,
-        solution.method,
-        solution.basis_size,
-        solution.modes,
-        solution.time,
-        solution.boundary_error,
-        solution.pde_residual,
-        solution.rank,
-        solution.unknowns,
+        "patch {}: method {}, {functions}, {} terms each, {when}",
+        solution.name, solution.method, solution.modes
     );
+    let _ = writeln!(text, "boundary error  {:.1e}", solution.boundary_error);
+    let _ = writeln!(text, "PDE residual    {:.1e} of the largest term", solution.pde_residual);
+    match (solution.amplification, solution.condition) {
+        (Some(amplification), _) => {
+            let _ = writeln!(text, "amplification   {amplification:.1e}");
+        }
+        (None, condition) => {
+            let condition = condition.map_or_else(|| "unbounded".to_owned(), |condition| format!("{condition:.1e}"));
+            let _ = writeln!(text, "rank            {} of {}, condition {condition}", solution.rank, solution.unknowns);
+        }
+    }
     for (index, function) in solution.coefficients.iter().enumerate() {
         let _ = writeln!(text, "\nF{} = {}", index + 1, function.basis);
         for (condition, vector) in function.boundary.iter().enumerate() {

@@ -153,4 +153,5 @@ pub const ROWS: &[Row] = &[
     (Whole("pde with β = 0\nat u = 0: S = [cos v, 0, 0], dS/du = 0\nat u = 1: S = 0, dS/du = 0"), OrderDrops, "2:16", "cos v", "`sine` meets the conditions"),
     (Whole("pde d2S/du2 + 9.87 S = 0\nat u = 0: S = [1, 0, 0]\nat u = 1: S = 0"), NearlyResonant, "2:16", "1", "expect a relative error"),
     (Whole("pde d2S/du2 + 9.5 S = 0\nat u = 0: S = [1, 0, 0]\nat u = 1: S = 0"), Amplified, "2:16", "1", "amplifies"),
+    (Whole("at u = 0: S = [1, 0, 0], dS/du = [1, 0, 0]\nat u = 1: S = 0, dS/du = 0\nsolve sine, terms = 10, points = 11 x 11 : ends"), RankDeficient, "1:16", "1", "9 of 10 terms"),
 ];
