@@ -105,7 +105,8 @@ fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Vec<P
             let solved = spec.solve(&patched, time)?;
             let measured = spec.verify(&patched, &solved)?;
             method = solved.solution.report.method;
-            amplification = amplification.max(solved.solution.report.amplification);
+            let here = solved.solution.report.amplification;
+            amplification = here.into_iter().chain(amplification).reduce(f64::max);
             if index == 0 {
                 print_warnings(&solved.solution.report.warnings, &spec.source, terminal);
             }
