@@ -123,10 +123,11 @@ impl Prepared {
         let mut stated = Settings::read(&request.settings)?;
         let method = match options.method.as_deref() {
             Some(name) => {
-                let method = method::choose(Some(name), None, &decomposition)?;
                 // The document's settings are those of its own method.
-                stated = stated.only(method.settings());
-                method
+                if request.method.as_deref() != Some(name) {
+                    stated = Settings::default();
+                }
+                method::choose(Some(name), None, &decomposition)?
             }
             None => method::choose(request.method.as_deref(), request.origin, &decomposition)?,
         };

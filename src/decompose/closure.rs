@@ -13,7 +13,7 @@ use rustc_hash::FxBuildHasher;
 use super::Decomposition;
 use super::expand::{Monomials, expand};
 use crate::diagnostic::{Code, Diagnostic, Span};
-use crate::expr::{Derivative, ExprId, Function, Graph, Node, Notation};
+use crate::expr::{Derivative, ExprId, Function, Graph, Node, Notation, Variable};
 use crate::limits::Limits;
 
 /// A basis that is closed under the equation's derivatives in v and t.
@@ -57,9 +57,11 @@ pub fn close(decomposition: &Decomposition, limits: &Limits) -> Result<Closure, 
     let wanted = operator.basis_derivatives();
     let mut derivatives: Vec<DerivativeMatrix> =
         wanted.into_iter().map(|orders| DerivativeMatrix { orders, rows: Vec::new() }).collect();
+    let differentiated = |variable: Variable| derivatives.iter().any(|matrix| matrix.orders.order(variable) > 0);
+    let variables = [differentiated(Variable::V), differentiated(Variable::T)];
     let mut next = 0;
     while let Some((&function, &origin)) = functions.get_index(next) {
-        check_closes(&graph, function, origin)?;
+        check_closes(&graph, function, variables, origin)?;
         for DerivativeMatrix { orders, rows } in &mut derivatives {
             let derivative = super::bounded_derivative(&mut graph, function, *orders, limits, origin)?;
             let monomials = expand(&mut graph, derivative, limits).map_err(|finding| finding.at(origin))?;
@@ -91,15 +93,31 @@ pub fn close(decomposition: &Decomposition, limits: &Limits) -> Result<Closure, 
     Ok(Closure { graph, functions: functions.into_iter().collect(), derivatives, force })
 }
 
-/// Refuses a function that has a factor without a finite closure.
-fn check_closes(graph: &Graph, function: ExprId, origin: Option<Span>) -> Result<(), Diagnostic> {
+/// Refuses a function that has a factor without a finite closure under the derivatives in v and t that occur.
+fn check_closes(
+    graph: &Graph,
+    function: ExprId,
+    [in_v, in_t]: [bool; 2],
+    origin: Option<Span>,
+) -> Result<(), Diagnostic> {
     let factors = match graph.node(function) {
         Node::Product(factors) => factors.to_vec(),
         _ => vec![function],
     };
-    let Some(factor) = factors.into_iter().find(|factor| !factor_closes(graph, *factor)) else { return Ok(()) };
+    let is_differentiated = |factor: &ExprId| {
+        let dependence = graph.dependence(*factor);
+        (dependence.v && in_v) || (dependence.t && in_t)
+    };
+    let offending = |factor: &ExprId| is_differentiated(factor) && !factor_closes(graph, *factor);
+    let Some(factor) = factors.into_iter().find(offending) else { return Ok(()) };
+    let dependence = graph.dependence(factor);
+    let by = match (dependence.v && in_v, dependence.t && in_t) {
+        (true, true) => "v and t",
+        (true, false) => "v",
+        _ => "t",
+    };
     let text = graph.text(factor, Notation::Ascii, 80).unwrap_or_else(|_| "a long expression".to_owned());
-    let message = format!("`{text}` has no finite closure: its derivatives are ever new functions");
+    let message = format!("`{text}` has no finite closure: its derivatives in {by} are ever new functions");
     Err(Diagnostic::new(Code::UnsupportedByMethod, message).at(origin).hint(
         "polynomials times exp, sin, cos, sinh and cosh of affine arguments in v and t have one; a fitted method takes any function",
     ))

@@ -106,7 +106,7 @@ pub struct Options {
 
 /// Every method, in the order in which `auto` tries them.
 pub const METHODS: &[&dyn Method] =
-    &[&exact::Exact, &sine::SineSeries, &polynomial::Polynomial, &static_blend::StaticBlend];
+    &[&exact::Exact, &polynomial::Polynomial, &sine::SineSeries, &static_blend::StaticBlend];
 
 /// The name that leaves the choice to the program.
 pub const AUTO: &str = "auto";

@@ -63,6 +63,10 @@ impl LeastSquares {
         if let Some(index) = matrix.iter().position(|entry| !entry.is_finite()) {
             return Err(LeastSquaresError::NotFinite { row: index % rows, column: index / rows });
         }
+        // By a power of two, so that nothing is rounded: squares of entries near 1e300 would overflow.
+        let exponent = libm::frexp(matrix.amax()).1;
+        let matrix = &matrix.map(|entry| libm::ldexp(entry, -exponent));
+        let unit = libm::ldexp(1.0, exponent);
         let lengths = DVector::from_iterator(columns, matrix.column_iter().map(|c| c.norm()));
         // A column this far below the longest is rounding errors: a function that is zero at every node. Scaled to
         // length one it would pass for a full column and get a huge coefficient.
@@ -76,6 +80,10 @@ impl LeastSquares {
             }
         }
         let lengths = lengths.map(|length| if length > noise { length } else { 1.0 });
+        // Of the matrix as given; one that leaves the doubles leaves nothing to solve with.
+        if let Some(column) = lengths.iter().position(|length| !(length * unit).is_finite()) {
+            return Err(LeastSquaresError::NotFinite { row: 0, column });
+        }
         let qr = scaled.col_piv_qr();
         let triangle = qr.r();
         let singular = |matrix: DMatrix<f64>, vectors: bool| {
@@ -97,6 +105,7 @@ impl LeastSquares {
             singular(unscaled, false)?.singular_values
         };
         let condition = if rank < columns { f64::INFINITY } else { unscaled.max() / unscaled.min() };
+        let lengths = lengths * unit;
         let mut solver = LeastSquares { qr, triangle, lengths, deficient, null_space: None, cutoff, rank, condition };
         solver.null_space = solver.find_null_space();
         Ok(solver)
@@ -258,6 +267,14 @@ mod tests {
         let error = matrix.transpose() * &matrix * solution - &right;
         // The unscaled condition 1e8 enters once, as products of size 1e17 cancel to 2.
         assert!(error.amax() < 1e-7, "{error}");
+    }
+
+    #[test]
+    fn entries_near_the_largest_double_are_solved_or_refused() {
+        let big = DMatrix::from_row_slice(2, 1, &[1e300, 1e300]);
+        let solution = LeastSquares::new(&big).expect("finite").solve(&DMatrix::from_row_slice(2, 1, &[2e300, 2e300]));
+        assert!((solution[0] - 2.0).abs() < 1e-14, "{solution}");
+        assert!(LeastSquares::new(&DMatrix::from_element(40, 2, 1.7e308)).is_err());
     }
 
     #[test]

@@ -138,7 +138,8 @@ impl Scope {
     }
 
     fn closest(&self, text: &str) -> Option<&str> {
-        let functions = Function::ALL.iter().map(|function| function.row().name);
+        let functions =
+            Function::ALL.iter().map(|function| function.row().name).filter(|name| Function::named(name).is_some());
         let names = self
             .order
             .iter()

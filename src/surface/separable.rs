@@ -38,7 +38,7 @@ impl SeparableSurface {
                 None => {
                     let message = format!("the derivative of order {order} in t is not known for this solution");
                     return Err(Diagnostic::new(Code::UnsupportedByMethod, message)
-                        .hint("the method solves at single instants; ask for derivatives the equation contains"));
+                        .hint("a fitted method knows the derivatives in t that the equation contains; `exact` knows all, and `pde with …` keeps the standard equation, which contains two"));
                 }
             }
             binomial = binomial * (order - s) as f64 / (s + 1) as f64;

@@ -85,7 +85,13 @@ impl Builder<'_> {
         let span = self.span(&pair);
         let text = self.text(span).to_owned();
         let mut run = Run { factors: Vec::new(), text, span, head: 0, bare_call: None };
+        let mut before: Option<Span> = None;
         for part in pair.into_inner() {
+            let here = self.span(&part);
+            if let Some(before) = before {
+                refuse_ambiguous_neighbours((self.text(before), before), (self.text(here), here))?;
+            }
+            before = Some(here);
             run.bare_call = self.bare_call(&part);
             if run.factors.is_empty() {
                 run.head = part.as_str().trim_end().len();
@@ -193,8 +199,18 @@ impl Builder<'_> {
         let argument = parts.next().ok_or_else(internal)?;
         let arguments = if argument.as_rule() == Rule::bare_argument {
             let place = self.span(&argument);
-            let factors = argument.into_inner().map(|part| Ok((false, self.power(part)?)));
-            let factors = factors.collect::<Result<_, Diagnostic>>()?;
+            let mut factors: Vec<(bool, Expression)> = Vec::new();
+            let mut has_coordinate = None;
+            for part in argument.into_inner() {
+                let here = self.span(&part);
+                if let Some(end) = has_coordinate {
+                    let parts = [Span::new(place.start, end), here].map(|span| self.text(span));
+                    return Err(ambiguous_argument(called.name(), self.text(place), parts).at(whole));
+                }
+                let factor = self.power(part)?;
+                has_coordinate = self.mentions_coordinate(factor).then_some(here.end);
+                factors.push((false, factor));
+            }
             vec![self.tree.add(Kind::Product(factors), place)]
         } else {
             self.bracket(&argument)?
@@ -212,6 +228,14 @@ impl Builder<'_> {
         }
         let exponent = self.number(&digits, self.span(&exponent))?;
         Ok(self.raised(value, exponent))
+    }
+
+    /// Whether u, v or t occurs in an expression.
+    fn mentions_coordinate(&self, expression: Expression) -> bool {
+        self.tree.parts(expression).into_iter().any(|part| match &self.tree.node(part).kind {
+            Kind::Name(name) | Kind::Application(name, _) => matches!(name.text.as_str(), "u" | "v" | "t"),
+            _ => false,
+        })
     }
 
     fn call(&mut self, called: Called, arguments: Vec<Expression>, span: Span) -> Expression {
@@ -302,6 +326,38 @@ struct Run {
     head: usize,
     /// Name and argument of a last factor like `sin πt`, whose end is open.
     bare_call: Option<(String, String)>,
+}
+
+/// `cos v t`: once an argument has its coordinate, what follows may belong to it or not.
+fn ambiguous_argument(function: &str, argument: &str, [first, next]: [&str; 2]) -> Diagnostic {
+    let message = format!("`{function} {argument}` can be read in two ways");
+    Diagnostic::new(Code::AmbiguousExpression, message)
+        .marked(format!("does `{next}` belong to the argument?"))
+        .hint(format!("write `{function}({argument})` if it does, `{function}({first})*{next}` if it does not"))
+}
+
+/// `e^2t` has two readings, and two numbers side by side are a slip.
+fn refuse_ambiguous_neighbours(
+    (left, left_span): (&str, Span),
+    (right, right_span): (&str, Span),
+) -> Result<(), Diagnostic> {
+    let touches = left_span.end == right_span.start;
+    let exponent = left.strip_prefix("e^").filter(|exponent| {
+        exponent.trim_start_matches(['-', '−', '+']).chars().all(|c| c.is_ascii_digit() || c == '.')
+    });
+    if let (true, Some(exponent)) = (touches, exponent) {
+        let message = format!("`{left}{right}` can be read in two ways");
+        return Err(Diagnostic::new(Code::AmbiguousExpression, message)
+            .at(left_span.to(right_span))
+            .hint(format!("write `e^({exponent}*{right})` or `{left}*{right}`")));
+    }
+    let is_number = |text: &str| text.starts_with(|c: char| c.is_ascii_digit() || c == '.');
+    if is_number(right) && is_number(left) {
+        return Err(Diagnostic::new(Code::UnexpectedText, "two numbers stand side by side")
+            .at(left_span.to(right_span))
+            .hint(format!("write one number, or `{left}*{right}`")));
+    }
+    Ok(())
 }
 
 /// `sin πt/2` and `a/2b` can each be read in two ways: show both.

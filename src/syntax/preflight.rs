@@ -90,6 +90,8 @@ pub fn prepare(source: &Source, limits: &Limits) -> Result<Prepared, Diagnostics
                 Ok(_) => {}
                 Err(finding) => found.push(finding),
             },
+            // A byte order mark at the start is a habit of editors, not a fault.
+            '\u{feff}' if at == 0 => blank(&mut bytes, at, letter),
             _ => found.extend(suspicious(letter, at)),
         }
     }

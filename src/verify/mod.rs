@@ -41,10 +41,12 @@ impl Verification {
     #[must_use]
     pub fn worst(self, other: &Verification) -> Verification {
         let errors = self.boundary_errors.iter().zip(&other.boundary_errors);
+        // Residual and term of one instant belong together: a small instant must not hide behind a large one.
+        let worse = if self.relative_residual() >= other.relative_residual() { &self } else { other };
         Verification {
             boundary_errors: errors.map(|(a, b)| a.max(*b)).collect(),
-            residual: self.residual.max(other.residual),
-            largest_term: self.largest_term.max(other.largest_term),
+            residual: worse.residual,
+            largest_term: worse.largest_term,
             size: self.size.max(other.size),
         }
     }

@@ -64,6 +64,9 @@ struct Boundary {
 }
 
 pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
+    if arguments.max_gap.is_some_and(|most| most.is_nan() || most < 0.0) {
+        return Err(Failure::Usage("--max-gap takes a length, 0 or more".to_owned()));
+    }
     let mut report = Report { patches: Vec::new(), seams: Vec::new(), passed: true };
     let mut failures: Vec<Failure> = Vec::new();
     for path in &arguments.spec {

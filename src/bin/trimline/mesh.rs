@@ -72,13 +72,13 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
     progress.finish_and_clear();
     if !terminal.quiet {
         let what = match (times.as_slice(), arguments.frames) {
-            (_, Some(_)) => format!(
+            ([_, _, ..], Some(_)) => format!(
                 "{} to {}",
                 numbered(&arguments.output, 0).display(),
                 numbered(&arguments.output, times.len().saturating_sub(1)).display()
             ),
             ([time], None) => format!("{} at t = {time}", arguments.output.display()),
-            _ => arguments.output.display().to_string(),
+            _ => numbered(&arguments.output, 0).display().to_string(),
         };
         say(&format!("wrote {what}: {vertices} vertices, {quads} quads"));
     }

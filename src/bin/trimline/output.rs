@@ -31,7 +31,14 @@ pub struct Files {
 
 impl Files {
     /// A new file that will be called `path`.
+    ///
+    /// A link is followed; a folder or a device is refused, since renaming would replace it.
     pub fn create(&mut self, path: &Path) -> Result<&mut NamedTempFile, Failure> {
+        let resolved = path.canonicalize().unwrap_or_else(|_| path.to_owned());
+        let path = resolved.as_path();
+        if path.exists() && !path.is_file() {
+            return Err(Failure::Usage(format!("`{}` is not an ordinary file", path.display())));
+        }
         let folder = match path.parent() {
             Some(folder) if !folder.as_os_str().is_empty() => folder,
             _ => Path::new("."),

@@ -4,7 +4,16 @@
 //! Below 10 nothing is said; to 1e3 a note, to 1e10 a warning, above that there is no solution to rely on.
 
 use super::{Amplified, Discretisation, ExactSolver, Progress};
+use crate::decompose::Decomposition;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
+use crate::expr::{ExprId, Node};
+
+/// Amplifications below this cost less than one digit: nothing is said.
+const SILENT: f64 = 10.0;
+/// To here a note, three digits at most; then a warning.
+const NOTABLE: f64 = 1e3;
+/// Above this fewer than six digits remain, and no surface is returned.
+pub(super) const RESONANT: f64 = 1e10;
 
 /// Critical values shown in a message.
 const SHOWN: usize = 2;
@@ -12,7 +21,7 @@ const SHOWN: usize = 2;
 impl ExactSolver {
     /// What the largest amplification means for the user.
     pub(super) fn judge(&self, progress: &mut Progress<'_>) -> Result<Diagnostics, Diagnostic> {
-        let Some(worst) = progress.worst.take().filter(|worst| worst.factor >= 10.0) else {
+        let Some(worst) = progress.worst.take().filter(|worst| worst.factor >= SILENT) else {
             return Ok(Diagnostics::new());
         };
         let j = worst.members.first().copied().unwrap_or(0);
@@ -21,10 +30,7 @@ impl ExactSolver {
             Some(critical) => finding.hint(format!("there is no solution at {critical}")),
             None => finding,
         };
-        if worst.factor > 1e10 {
-            return Err(hint(self.resonant(worst.factor, j)));
-        }
-        let code = if worst.factor < 1e3 { Code::Amplified } else { Code::NearlyResonant };
+        let code = if worst.factor < NOTABLE { Code::Amplified } else { Code::NearlyResonant };
         let message = format!(
             "along `{}` the equation amplifies {:.1e} times; expect a relative error of {:.1e}",
             self.name(j),
@@ -43,17 +49,26 @@ impl ExactSolver {
         let mut critical: Vec<(f64, String)> = Vec::new();
         for (symbol, name) in &self.coefficients {
             let Some(value) = progress.params.get(*symbol).copied() else { continue };
-            let mut params = progress.params.to_vec();
-            if let Some(slot) = params.get_mut(*symbol) {
-                *slot += 1.0;
+            let step = value.abs().max(1.0);
+            let mut moved = Vec::new();
+            for sign in [1.0, -1.0] {
+                let mut params = progress.params.to_vec();
+                if let Some(slot) = params.get_mut(*symbol) {
+                    *slot += sign * step;
+                }
+                let entries = self.entries_at(&params, worst.terms, progress.range)?;
+                let there = Discretisation { entries, ..Discretisation::clone(&discretisation) };
+                let (block, ..) = self.block_of(&worst.members, worst.component, &there, worst.terms, progress);
+                moved.push(block.matrix(&discretisation.tables, cardinal..cardinal + worst.terms));
             }
-            let moved = self.entries_at(&params, worst.terms, progress.range)?;
-            let moved = Discretisation { entries: moved, ..Discretisation::clone(&discretisation) };
-            let (moved, ..) = self.block_of(&worst.members, worst.component, &moved, worst.terms, progress);
-            // The entries are linear in the equation's coefficients, so a difference is the derivative.
-            let trial = cardinal..cardinal + worst.terms;
-            let derivative =
-                moved.matrix(&discretisation.tables, trial.clone()) - here.matrix(&discretisation.tables, trial);
+            let [above, below] = moved.as_slice() else { continue };
+            let derivative = (above - below) / (2.0 * step);
+            let here = here.matrix(&discretisation.tables, cardinal..cardinal + worst.terms);
+            // A distance follows from the derivative only where the matrix is linear in the coefficient.
+            let bend = (above + below - here * 2.0).amax();
+            if bend > 1e-9 * derivative.amax() * step {
+                continue;
+            }
             let Some(distance) = worst.factorised.distance_to_singular(&derivative) else { continue };
             let relative = distance.abs() / value.abs().max(f64::MIN_POSITIVE);
             critical.push((relative, format!("{name} = {:.6}", value + distance)));
@@ -61,6 +76,14 @@ impl ExactSolver {
         critical.sort_by(|(a, _), (b, _)| a.total_cmp(b));
         let shown: Vec<String> = critical.into_iter().take(SHOWN).map(|(_, text)| text).collect();
         Ok((!shown.is_empty()).then(|| shown.join(", or at ")))
+    }
+
+    /// The finding for numbers that leave the doubles.
+    pub(super) fn overflows(&self, j: usize) -> Diagnostic {
+        let message = format!("the numbers of the equation along `{}` overflow", self.name(j));
+        Diagnostic::new(Code::SolutionNotFinite, message)
+            .at(self.origin(j))
+            .hint("bring the coefficients and data to ordinary sizes")
     }
 
     /// The finding for an equation whose order in u drops below the number of conditions.
@@ -82,4 +105,16 @@ impl ExactSolver {
             .at(self.origin(j))
             .hint("change a coefficient of the equation a little, or choose a fitted method such as `sine`")
     }
+}
+
+/// The symbols that the coefficients of the equation are made of.
+pub(super) fn coefficient_symbols(decomposition: &Decomposition) -> Vec<(usize, String)> {
+    let graph = &decomposition.graph;
+    let coefficients: Vec<ExprId> =
+        decomposition.patch.operator.terms.iter().flat_map(|term| term.coefficient).collect();
+    let symbol = |part: ExprId| match graph.node(part) {
+        Node::Symbol(symbol) => Some((symbol.index(), graph.symbol_name(*symbol).to_owned())),
+        _ => None,
+    };
+    graph.reachable(&coefficients).into_iter().filter_map(symbol).collect()
 }

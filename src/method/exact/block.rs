@@ -23,6 +23,14 @@ pub struct BlockSystem {
     pub members: usize,
 }
 
+/// Near resonance, where the number matters, one eigenvalue dominates and a few steps give three digits.
+const ITERATIONS: usize = 12;
+
+/// Where a power iteration starts: every direction is present, whatever the symmetry of the problem.
+fn start(size: usize) -> DMatrix<f64> {
+    DMatrix::from_fn(size, 1, |row, _| 1.0 / (1.0 + row as f64) + 0.1 * f64::from(u8::from(row % 3 == 0)))
+}
+
 /// A factorised block.
 pub struct Factorised {
     lu: LU<f64, Dyn, Dyn>,
@@ -51,26 +59,20 @@ impl BlockSystem {
         })
     }
 
-    /// The largest coefficient of a derivative of order `order`.
-    pub fn leading(&self, order: usize) -> f64 {
-        let of_order = self.entries.iter().filter(|(found, ..)| *found == order);
-        of_order.flat_map(|(.., values)| values).fold(0.0, |most: f64, value| most.max(value.abs()))
-    }
-
     /// Applies the block to functions given by coefficients of the columns `from..` of the tables: rows are nodes of
     /// the first member's equation, then of the second's.
     pub fn matrix(&self, tables: &Tables, columns: std::ops::Range<usize>) -> DMatrix<f64> {
         self.assemble(tables, columns, |value, _| value)
     }
 
-    /// The matrix of the definite equation with the same sizes: even orders with alternating signs, as in
-    /// `|β| D⁴ - |p| D² + |c|`. What the amplification is measured against.
+    /// The matrix of the definite equation with the same sizes: every other order from the highest down, with
+    /// alternating signs, as in `|β| D⁴ - |p| D² + |c|`. What the amplification is measured against.
     pub fn definite_matrix(&self, tables: &Tables, columns: std::ops::Range<usize>) -> DMatrix<f64> {
         let highest = tables.values.len().saturating_sub(1);
-        self.assemble(tables, columns, |value, order| match (order % 2, (highest - order) / 2 % 2) {
-            (1, _) => 0.0,
-            (_, 0) => value.abs(),
-            _ => -value.abs(),
+        self.assemble(tables, columns, |value, order| match (highest - order) % 4 {
+            0 => value.abs(),
+            2 => -value.abs(),
+            _ => 0.0,
         })
     }
 
@@ -118,24 +120,23 @@ impl Factorised {
     /// iteration from a fixed start. 1 for definite equations, unbounded near resonance.
     pub fn amplification(&self, definite: &DMatrix<f64>) -> f64 {
         let size = definite.nrows();
-        // Every direction is present in the start, whatever the symmetry of the problem.
-        let mut vector =
-            DMatrix::from_fn(size, 1, |row, _| 1.0 / (1.0 + row as f64) + 0.1 * f64::from(u8::from(row % 3 == 0)));
+        let mut vector = start(size);
         let mut growth: f64 = 1.0;
         for _ in 0..ITERATIONS {
             let Some(image) = self.lu.solve(&(definite * &vector)) else { return f64::INFINITY };
             let length = image.norm();
             growth = length / vector.norm();
-            if !growth.is_finite() || length == 0.0 {
-                return growth;
+            if !growth.is_finite() {
+                return f64::INFINITY;
+            }
+            if length == 0.0 {
+                break;
             }
             vector = image / length;
         }
         growth.max(1.0)
     }
-}
 
-impl Factorised {
     /// How far a coefficient of the equation is from the nearest value that makes the block singular, given the
     /// derivative of the block's matrix in that coefficient: the block is singular at a distance of -1/μ for each
     /// eigenvalue μ of A⁻¹ ∂A, and the largest |μ| is found by power iteration.
@@ -143,8 +144,7 @@ impl Factorised {
     /// `None` if no single eigenvalue dominates.
     pub fn distance_to_singular(&self, derivative: &DMatrix<f64>) -> Option<f64> {
         let size = derivative.nrows();
-        let mut vector =
-            DMatrix::from_fn(size, 1, |row, _| 1.0 / (1.0 + row as f64) + 0.1 * f64::from(u8::from(row % 3 == 0)));
+        let mut vector = start(size);
         let mut eigenvalue = 0.0;
         for _ in 0..4 * ITERATIONS {
             let image = self.lu.solve(&(derivative * &vector))?;
@@ -164,6 +164,3 @@ impl Factorised {
         is_dominant.then(|| -1.0 / eigenvalue)
     }
 }
-
-/// Near resonance, where the number matters, one eigenvalue dominates and a few steps give three digits.
-const ITERATIONS: usize = 12;

@@ -19,7 +19,7 @@ use super::{Method, Options, Report, Solution, Solver};
 use crate::decompose::{Closure, Decomposition, close};
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::eval::{Backend, Evaluator, Program, Samples, compile};
-use crate::expr::{ExprId, Node, Notation};
+use crate::expr::{ExprId, Notation};
 use crate::limits::Limits;
 use crate::numeric::{NodeKind, nodes};
 use crate::surface::{Basis, Coefficients, SeparableSurface};
@@ -33,8 +33,9 @@ pub struct Exact;
 
 /// Terms of the last size tried; layers that need more are reported.
 const MOST_TERMS: usize = 512;
-/// A tail below this that does not fall any more is rounding, which stiff equations amplify in the highest derivative.
-const NOISE: f64 = 1e-7;
+/// A residual below this that does not fall any more is rounding, which stiff equations amplify in the highest
+/// derivative; it is reported by `verify` as what it is.
+const NOISE: f64 = 1e-8;
 const DEFAULT_TOLERANCE: f64 = 1e-12;
 
 impl Method for Exact {
@@ -88,7 +89,7 @@ impl Method for Exact {
             basis_size: decomposition.basis.len(),
             origins: functions.iter().map(|(_, origin)| *origin).collect(),
             names: names.collect(),
-            coefficients: coefficient_symbols(decomposition),
+            coefficients: amplification::coefficient_symbols(decomposition),
             has_force: forces.iter().any(|expr| !graph.is_zero(*expr)),
             entries_vary: varies_with_u(&entries),
             entry_values: interpreted(&entries),
@@ -258,20 +259,21 @@ impl ExactSolver {
         loop {
             let discretisation = self.discretise(terms, progress)?;
             let mut rows: Vec<DMatrix<f64>> = vec![DMatrix::zeros(self.orders.len() + terms, 3); members.len()];
-            let mut tail: f64 = 0.0;
+            let mut residual: f64 = 0.0;
             for component in 0..if self.system.is_vector { 3 } else { 1 } {
                 let columns = if self.system.is_vector { component..component + 1 } else { 0..3 };
-                let (weights, scale) =
+                let weights =
                     self.solve_component(members, component, columns.clone(), &discretisation, terms, progress)?;
-                tail = tail.max(relative_tail(&weights, terms, scale));
+                let between = self.residual_between(members, component, columns.clone(), &weights, terms, progress)?;
+                residual = residual.max(between);
                 for (member, rows) in rows.iter_mut().enumerate() {
                     let part = weights.rows(member * terms, terms);
                     rows.view_mut((self.orders.len(), columns.start), (terms, columns.len())).copy_from(&part);
                 }
             }
-            // More terms no longer make a difference once the tail is rounding errors.
-            let is_noise = tail <= NOISE && before.is_some_and(|before| tail >= 0.5 * before);
-            if tail <= self.tolerance || is_noise {
+            // More terms no longer make a difference once the residual is rounding errors.
+            let is_noise = residual <= NOISE && before.is_some_and(|before| residual >= 0.5 * before);
+            if residual <= self.tolerance || is_noise {
                 for (&j, mut rows) in members.iter().zip(rows) {
                     rows.rows_mut(0, self.orders.len()).copy_from(&self.stated(j, progress));
                     if let Some(slot) = progress.solved.get_mut(j) {
@@ -290,13 +292,12 @@ impl ExactSolver {
                     .at(self.origin(j))
                     .hint("the coefficient of the highest derivative in u is very small compared with the others; enlarge it, or choose a fitted method"));
             }
-            before = Some(tail);
+            before = Some(residual);
             terms = (terms * 3 / 2).next_multiple_of(6).min(MOST_TERMS);
         }
     }
 
-    /// The weights of the trial functions of all members, for some columns x, y, z, and the size that weights have
-    /// where the terms of the right-hand side do not cancel.
+    /// The weights of the trial functions of all members, for some columns x, y, z.
     fn solve_component(
         &self,
         members: &[usize],
@@ -305,16 +306,16 @@ impl ExactSolver {
         discretisation: &Discretisation,
         terms: usize,
         progress: &mut Progress<'_>,
-    ) -> Result<(DMatrix<f64>, f64), Diagnostic> {
-        let (block, right, largest) = self.block_of(members, component, discretisation, terms, progress);
+    ) -> Result<DMatrix<f64>, Diagnostic> {
+        let (block, right, _) = self.block_of(members, component, discretisation, terms, progress);
         let right = right.columns(columns.start, columns.len()).into_owned();
         let cardinal = discretisation.tables.cardinal;
-        if right.iter().all(|value| *value == 0.0) {
-            return Ok((DMatrix::zeros(members.len() * terms, columns.len()), 0.0));
-        }
         let j = members.first().copied().unwrap_or(0);
         if !block.determines_highest(self.order) {
             return Err(self.order_drops(j));
+        }
+        if right.iter().all(|value| *value == 0.0) {
+            return Ok(DMatrix::zeros(members.len() * terms, columns.len()));
         }
         let key = (
             terms,
@@ -330,9 +331,16 @@ impl ExactSolver {
             Some(known) => Arc::clone(known),
             None => {
                 let trial = cardinal..cardinal + terms;
-                let factorised = Factorised::new(block.matrix(&discretisation.tables, trial.clone()));
+                let matrix = block.matrix(&discretisation.tables, trial.clone());
+                if matrix.iter().chain(right.iter()).any(|value| !value.is_finite()) {
+                    return Err(self.overflows(j));
+                }
+                let factorised = Factorised::new(matrix);
                 let factorised = Arc::new(factorised.ok_or_else(|| self.resonant(f64::INFINITY, j))?);
                 let amplification = factorised.amplification(&block.definite_matrix(&discretisation.tables, trial));
+                if amplification > amplification::RESONANT {
+                    return Err(self.resonant(amplification, j));
+                }
                 if progress.worst.as_ref().is_none_or(|worst| amplification > worst.factor) {
                     progress.worst = Some(Amplified {
                         factor: amplification,
@@ -346,8 +354,33 @@ impl ExactSolver {
                 factorised
             }
         };
-        let weights = factorised.solve(&right).ok_or_else(|| self.resonant(f64::INFINITY, j))?;
-        Ok((weights, largest / block.leading(self.order)))
+        factorised.solve(&right).ok_or_else(|| self.resonant(f64::INFINITY, j))
+    }
+
+    /// The largest residual of a block's equations between the nodes they were imposed at, relative to their largest
+    /// term: where it is small, the solution is resolved.
+    fn residual_between(
+        &self,
+        members: &[usize],
+        component: usize,
+        columns: std::ops::Range<usize>,
+        weights: &DMatrix<f64>,
+        terms: usize,
+        progress: &mut Progress<'_>,
+    ) -> Result<f64, Diagnostic> {
+        // One node more interlaces with the others; a force or coefficients in u may hide features between them.
+        let nodes = if self.entries_vary || self.has_force { 2 * terms + 1 } else { terms + 1 };
+        let discretisation = self.discretise(nodes, progress)?;
+        let (block, right, largest) = self.block_of(members, component, &discretisation, nodes, progress);
+        let cardinal = discretisation.tables.cardinal;
+        let image = block.matrix(&discretisation.tables, cardinal..cardinal + terms) * weights;
+        let scale = largest.max(image.amax());
+        let residual = (right.columns(columns.start, columns.len()) - image).amax();
+        Ok(match residual / scale {
+            _ if scale == 0.0 => 0.0,
+            ratio if ratio.is_nan() => f64::INFINITY,
+            ratio => ratio,
+        })
     }
 
     /// The numbers of a block, its right-hand side (force, boundary part, and functions solved before), and the
@@ -458,27 +491,6 @@ impl ExactSolver {
     fn origin(&self, j: usize) -> Option<Span> {
         self.origins.get(j).copied().flatten()
     }
-}
-
-/// The symbols that the coefficients of the equation are made of.
-fn coefficient_symbols(decomposition: &Decomposition) -> Vec<(usize, String)> {
-    let graph = &decomposition.graph;
-    let coefficients: Vec<ExprId> =
-        decomposition.patch.operator.terms.iter().flat_map(|term| term.coefficient).collect();
-    let symbol = |part: ExprId| match graph.node(part) {
-        Node::Symbol(symbol) => Some((symbol.index(), graph.symbol_name(*symbol).to_owned())),
-        _ => None,
-    };
-    graph.reachable(&coefficients).into_iter().filter_map(symbol).collect()
-}
-
-/// The largest of the last four weights of every member, relative to `scale` or the largest weight.
-fn relative_tail(weights: &DMatrix<f64>, terms: usize, scale: f64) -> f64 {
-    let members = weights.nrows() / terms.max(1);
-    let tails = (0..members).map(|member| weights.rows(member * terms + terms.saturating_sub(4), 4.min(terms)).amax());
-    let tail = tails.fold(0.0, f64::max);
-    let scale = weights.amax().max(scale);
-    if scale > 0.0 { tail / scale } else { 0.0 }
 }
 
 /// The values of a program of u and the params, output after output.
