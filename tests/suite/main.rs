@@ -3,6 +3,7 @@
 // An index out of range fails the test, as it should.
 #![allow(clippy::indexing_slicing)]
 
+mod accuracy;
 mod analytic;
 mod architecture;
 #[cfg(feature = "cli")]
