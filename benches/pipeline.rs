@@ -46,7 +46,7 @@ fn stages(criterion: &mut Criterion) {
 
     let settings = Settings::read(&patch.solve.settings).expect("the example's settings are valid");
     let options = Options { settings, ..Options::default() };
-    let method = choose(Some("sine"), None, &decomposition).expect("the method accepts the example");
+    let method = choose(Some("sine"), None, &decomposition, &limits).expect("the method accepts the example");
     group.bench_function("prepare", |b| b.iter(|| method.prepare(black_box(&decomposition), &options)));
 
     let solver = method.prepare(&decomposition, &options).expect("the example can be prepared");
@@ -62,7 +62,7 @@ fn stages(criterion: &mut Criterion) {
     });
 
     for name in ["exact", "sine"] {
-        let method = choose(Some(name), None, &decomposition).expect("both methods accept the example");
+        let method = choose(Some(name), None, &decomposition, &limits).expect("both methods accept the example");
         let settings = Settings::read(&patch.solve.settings).expect("the example's settings are valid");
         let options = Options { settings: settings.only(method.settings()), ..Options::default() };
         let solver = method.prepare(&decomposition, &options).expect("the example can be prepared");

@@ -29,6 +29,8 @@ pub struct Limits {
     pub unknowns: usize,
     /// Rows times columns of one linear system.
     pub system_entries: usize,
+    /// Multiplications of the factorisations of one solution: rows times squared columns.
+    pub operations: usize,
     /// Vertices of one mesh, or points of one evaluation.
     pub samples: usize,
     /// Instants of one sequence.
@@ -49,6 +51,7 @@ impl Default for Limits {
             derivative_order: 8,
             unknowns: 20_000,
             system_entries: 200_000_000,
+            operations: 4_000_000_000,
             samples: 4_000_000,
             frames: 10_000,
         }
@@ -57,7 +60,7 @@ impl Default for Limits {
 
 impl Limits {
     /// Every limit with the name it has on the command line (`--limits nesting=64`).
-    pub fn named(&mut self) -> [(&'static str, &mut usize); 13] {
+    pub fn named(&mut self) -> [(&'static str, &mut usize); 14] {
         [
             ("source-bytes", &mut self.source_bytes),
             ("nesting", &mut self.nesting),
@@ -70,6 +73,7 @@ impl Limits {
             ("derivative-order", &mut self.derivative_order),
             ("unknowns", &mut self.unknowns),
             ("system-entries", &mut self.system_entries),
+            ("operations", &mut self.operations),
             ("samples", &mut self.samples),
             ("frames", &mut self.frames),
         ]

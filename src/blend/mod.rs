@@ -34,6 +34,13 @@ pub struct Prepared {
     notes: Diagnostics,
 }
 
+/// Methods meet the boundary to rounding by construction; this is what ill-conditioned constraints may cost, relative
+/// to the size of the patch.
+const LARGEST_MISS: f64 = 1e-9;
+
+/// Of the largest term. Stiff equations reach 1e-10; what is far above was not resolved.
+const LARGEST_EXACT_RESIDUAL: f64 = 1e-6;
+
 impl Blend {
     /// Compiles a document; its single patch, if it names none, is called `name`.
     ///
@@ -84,9 +91,9 @@ impl Blend {
     /// Solves patch number `index` at instant `t`.
     ///
     /// # Errors
-    /// [`Code::SettingOutOfRange`] if there is no such patch; otherwise as [`Solver::solve`].
+    /// [`Code::SettingOutOfRange`] if there is no such patch; otherwise as [`Prepared::solve_judged`].
     pub fn solve(&self, index: usize, t: f64) -> Result<Solution, Diagnostic> {
-        self.patch(index)?.solve(&self.bindings, t)
+        self.patch(index)?.solve_judged(&self.problem, &self.bindings, t).map(|(solution, _)| solution)
     }
 
     /// Measures a solution of patch number `index` at instant `t` against the problem.
@@ -127,12 +134,16 @@ impl Prepared {
                 if request.method.as_deref() != Some(name) {
                     stated = Settings::default();
                 }
-                method::choose(Some(name), None, &decomposition)?
+                method::choose(Some(name), None, &decomposition, &options.limits)?
             }
-            None => method::choose(request.method.as_deref(), request.origin, &decomposition)?,
+            None => method::choose(request.method.as_deref(), request.origin, &decomposition, &options.limits)?,
         };
         let asked = options.method.as_deref().or(request.method.as_deref()).unwrap_or(method::AUTO);
-        let notes = if asked == method::AUTO { method::passed_over(method, &decomposition) } else { Vec::new() };
+        let notes = if asked == method::AUTO {
+            method::passed_over(method, &decomposition, &options.limits)
+        } else {
+            Vec::new()
+        };
         let settings = options.settings.clone().over(stated);
         if let Some((name, origin)) = settings.given().into_iter().find(|(name, _)| !method.settings().contains(name)) {
             let message = format!("the method `{}` has no setting `{name}`", method.name());
@@ -157,6 +168,36 @@ impl Prepared {
         let mut solution = self.solver.solve(bindings.as_slice(), [self.domain.u, self.domain.v], t)?;
         solution.report.warnings.splice(0..0, self.notes.iter().cloned());
         Ok(solution)
+    }
+
+    /// Solves at instant `t`, measures the solution, and refuses one that is not what its method promises: a surface
+    /// that misses its boundary, or an exact one that misses its equation.
+    ///
+    /// # Errors
+    /// As [`Solver::solve`] and [`verify`]; [`Code::PromiseBroken`] with what was measured.
+    pub fn solve_judged(
+        &self,
+        problem: &Problem,
+        bindings: &Bindings,
+        t: f64,
+    ) -> Result<(Solution, Verification), Diagnostic> {
+        let solution = self.solve(bindings, t)?;
+        let measured = self.verify(problem, bindings, &solution, t)?;
+        let miss = measured.boundary_error() / measured.size.max(1.0);
+        let residual = if solution.report.is_exact { measured.relative_residual() } else { 0.0 };
+        // Written so that NaN is refused.
+        if miss <= LARGEST_MISS && residual <= LARGEST_EXACT_RESIDUAL {
+            return Ok((solution, measured));
+        }
+        let message = if miss <= LARGEST_MISS {
+            format!("the solution misses the equation by {residual:.1e} of its largest term, so it is not exact")
+        } else {
+            format!("the solution misses its boundary by {:.1e}", measured.boundary_error())
+        };
+        let origin = self.patch().conditions.iter().flat_map(|condition| condition.origins).flatten().next();
+        Err(Diagnostic::new(Code::PromiseBroken, message).at(origin).hint(
+            "constraints that are nearly dependent, or coefficients of very different sizes, leave too few digits",
+        ))
     }
 
     /// Measures a solution at instant `t` against the problem.

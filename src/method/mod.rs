@@ -17,7 +17,7 @@ pub use settings::{Fit, Settings, Size, Terms};
 use std::sync::Arc;
 
 use crate::decompose::Decomposition;
-use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
+use crate::diagnostic::{Class, Code, Diagnostic, Diagnostics, Span};
 use crate::eval::Backend;
 use crate::limits::Limits;
 use crate::surface::SeparableSurface;
@@ -37,7 +37,7 @@ pub trait Method: Sync {
     ///
     /// # Errors
     /// [`Code::UnsupportedByMethod`] with the reason.
-    fn accepts(&self, decomposition: &Decomposition) -> Result<(), Diagnostic>;
+    fn accepts(&self, decomposition: &Decomposition, limits: &Limits) -> Result<(), Diagnostic>;
 
     /// Compiles everything that does not depend on numbers.
     ///
@@ -120,6 +120,7 @@ pub fn choose(
     name: Option<&str>,
     origin: Option<Span>,
     decomposition: &Decomposition,
+    limits: &Limits,
 ) -> Result<&'static dyn Method, Diagnostic> {
     match name {
         Some(name) if name != AUTO => {
@@ -130,15 +131,17 @@ pub fn choose(
                 return Err(finding.at(origin).hint(format!("methods: {}", known.join(", "))));
             };
             method
-                .accepts(decomposition)
+                .accepts(decomposition, limits)
                 .map_err(|finding| if finding.span.is_none() { finding.at(origin) } else { finding })?;
             Ok(*method)
         }
         _ => {
             let mut reasons = Vec::new();
             for method in METHODS {
-                match method.accepts(decomposition) {
+                match method.accepts(decomposition, limits) {
                     Ok(()) => return Ok(*method),
+                    // A limit says nothing about the problem; it is the user's to raise.
+                    Err(reason) if reason.class() == Class::Limit => return Err(reason),
                     Err(reason) => reasons.push((method.name(), reason)),
                 }
             }
@@ -154,12 +157,48 @@ pub fn choose(
 
 /// Why `auto`, when it chooses `method`, passed over the methods before it: one note each.
 #[must_use]
-pub fn passed_over(method: &dyn Method, decomposition: &Decomposition) -> Diagnostics {
+pub fn passed_over(method: &dyn Method, decomposition: &Decomposition, limits: &Limits) -> Diagnostics {
     let before = METHODS.iter().take_while(|other| other.name() != method.name());
-    let refusals = before.filter_map(|other| other.accepts(decomposition).err().map(|reason| (other.name(), reason)));
+    let refusals =
+        before.filter_map(|other| other.accepts(decomposition, limits).err().map(|reason| (other.name(), reason)));
     let note = |(name, reason): (&str, Diagnostic)| {
         let message = format!("solved by `{}`, not by `{name}`: {}", method.name(), reason.message);
         Diagnostic::new(Code::MethodPassedOver, message).at(reason.span)
     };
     refusals.map(note).collect()
+}
+
+/// The systems that a fitted method is about to solve.
+struct Systems {
+    /// How many.
+    count: usize,
+    /// Equations of each, after any reduction.
+    rows: usize,
+    /// Unknowns of each.
+    unknowns: usize,
+    /// Other numbers to be held at once.
+    entries: usize,
+    /// Collocation points.
+    points: usize,
+}
+
+impl Systems {
+    /// Refuses systems beyond the limits; the finding has no place.
+    fn check(&self, limits: &Limits) -> Result<(), Diagnostic> {
+        let matrix = self.rows.saturating_mul(self.unknowns);
+        let sizes = [
+            ("unknowns", limits.unknowns, self.unknowns.saturating_mul(self.count)),
+            ("system-entries", limits.system_entries, matrix.max(self.entries)),
+            ("operations", limits.operations, matrix.saturating_mul(self.unknowns).saturating_mul(self.count)),
+            ("samples", limits.samples, self.points),
+        ];
+        match sizes.into_iter().find(|(_, limit, size)| size > limit) {
+            None => Ok(()),
+            Some((name, limit, size)) => {
+                let message = format!("terms and points need {size}, above the limit `{name}` of {limit}");
+                Err(Diagnostic::new(Code::LimitReached, message)
+                    .hint("fewer terms are usually enough, or raise the limit"))
+            }
+        }
+    }
 }

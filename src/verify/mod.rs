@@ -6,7 +6,7 @@
 
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::eval::{Backend, Program, Samples, compile};
-use crate::expr::{Derivative, ExprId, Graph};
+use crate::expr::{Derivative, ExprId, Graph, Notation};
 use crate::numeric::{NodeKind, nodes};
 use crate::problem::{Bindings, DomainValues, Patch, Problem, describe_condition};
 use crate::surface::Surface;
@@ -75,7 +75,9 @@ pub fn verify(
         let stated = evaluate(&problem.graph, &condition.value, bindings, &[u], &v, t)?;
         if let Some(at) = stated.iter().position(|value| !value.is_finite()) {
             let component = at / v.len();
-            let what = describe_condition(Some(component), condition.order, u);
+            let text = condition.value.get(component).map(|expr| problem.graph.text(*expr, Notation::Ascii, 80));
+            let text = text.and_then(Result::ok).unwrap_or_else(|| "a long expression".to_owned());
+            let what = format!("`{text}` ({})", describe_condition(Some(component), condition.order, u));
             let origin = condition.origins.get(component).copied().flatten();
             return Err(not_finite(&what, stated.get(at).copied(), origin, v.get(at % v.len()), t));
         }
@@ -165,7 +167,7 @@ fn evaluate(
 
 fn not_finite(what: &str, value: Option<f64>, origin: Option<Span>, v: Option<&f64>, t: f64) -> Diagnostic {
     let (value, v) = (value.unwrap_or(f64::NAN), v.copied().unwrap_or(f64::NAN));
-    Diagnostic::new(Code::DataNotFinite, format!("the data for {what} are {value} at v = {v}, t = {t}"))
+    Diagnostic::new(Code::DataNotFinite, format!("{what} is {value} at v = {v}, t = {t}"))
         .at(origin)
         .hint("boundary data must be finite on the whole domain; change the function or the domain")
 }

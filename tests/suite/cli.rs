@@ -87,7 +87,7 @@ fn bad_input_has_its_status_and_leaves_nothing() {
             "pole",
             complete.replace("cos v, sin v, 1", "1/v, sin v, 1").into_bytes(),
             1,
-            "`1/v` (basis function F1) is inf at v = 0",
+            "`1/v` (S_x at u = 0) is inf at v = 0",
         ),
         ("empty domain", format!("domain v in [1, 1]\n{complete}").into_bytes(), 1, "is empty"),
         ("empty file", Vec::new(), 1, "states nothing"),

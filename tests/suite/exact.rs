@@ -332,3 +332,51 @@ fn the_sine_fit_misses_the_exact_solution_by_what_is_published() {
         assert!((error - expected).abs() <= 0.05 * expected, "{terms} {points}: {error:.3e} {expected:.3e}");
     }
 }
+
+#[test]
+fn hostile_numbers_are_refused_not_answered() {
+    // Positions that nearly coincide, coefficients of hopelessly different sizes, waves no grid resolves, a spike
+    // between the nodes, data near the largest double: an error, or a solution that keeps its promises.
+    let positions = "param c = 1, g = 2
+        pde with γ = g
+        at u = 0: S = [cos v, sin v, 0], ∂S/∂u = 0
+        at u = c: S = [cos v, sin v, 1], ∂S/∂u = 0";
+    let wave = "at u = 0: S = [cos(k v), 0, 1], ∂S/∂u = 0\nat u = 1: S = [cos v, sin v, 0], ∂S/∂u = 0";
+    let spike = "pde d4S/du4 = [exp(-((u - 0.4)/0.0005)^2)*1e6, 0, 0]
+        at u = 0: S = [0, 0, v], ∂S/∂u = 0\nat u = 1: S = 0, ∂S/∂u = 0";
+    let mut answered = 0;
+    for method in ["exact", "sine", "polynomial"] {
+        let options = Options { method: Some(method.to_owned()), ..Options::default() };
+        let texts = ["1e-4", "1e-9", "1e-18"].map(|c| (positions.to_owned(), "c", c));
+        let stiff = ["1e25", "1e154", "1e300"].map(|g| (positions.to_owned(), "g", g));
+        let waves = ["1e10"].map(|k| (wave.replace("(k v)", &format!("({k} v)")), "γ", "2"));
+        let spikes = [(spike.to_owned(), "", "")];
+        for (text, name, value) in texts.into_iter().chain(stiff).chain(waves).chain(spikes) {
+            let Ok(mut blend) = Blend::compile(&Source::new("test", text), &options) else { continue };
+            if !name.is_empty() && blend.set(name, value).is_err() {
+                continue;
+            }
+            if let Ok(solution) = blend.solve(0, 0.0) {
+                answered += 1;
+                let measured = blend.verify(0, &solution, 0.0).expect("finite");
+                assert!(measured.boundary_error() <= 1e-9 * measured.size.max(1.0), "{method} {name} = {value}");
+                assert!(method != "exact" || measured.relative_residual() <= 1e-6, "{method} {name} = {value}");
+            }
+        }
+    }
+    assert!(answered > 0);
+}
+
+#[test]
+fn resonance_of_an_odd_order_is_found() {
+    let text = "param κ = 20
+        pde d3S/du3 + κ dS/du = 0
+        at u = 0: S = [1, 0, 0], ∂S/∂u = [0, 1, 0]
+        at u = 1: S = [0, 0, 1]";
+    let mut blend = blend(text);
+    let report = blend.solve(0, 0.0).expect("solvable").report;
+    assert!(report.amplification.expect("measured") >= 1.0);
+    // With κ = 4π² the solution 1 - cos 2πu meets zero conditions.
+    blend.set("κ", "4*π^2").expect("a param");
+    assert_eq!(blend.solve(0, 0.0).err().expect("resonant").code, Code::Resonant);
+}

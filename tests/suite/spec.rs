@@ -84,7 +84,7 @@ impl Prepared {
         for (key, value) in overrides {
             settings.set(key, value, None).map_err(one)?;
         }
-        let method = choose(request.method.as_deref(), request.origin, &decomposition).map_err(one)?;
+        let method = choose(request.method.as_deref(), request.origin, &decomposition, &limits).map_err(one)?;
         if let Some((name, origin)) = settings.given().into_iter().find(|(name, _)| !method.settings().contains(name)) {
             let message = format!("the method `{}` has no setting `{name}`", method.name());
             return Err(vec![Diagnostic::new(trimline::diagnostic::Code::UnknownSetting, message).at(origin)]);

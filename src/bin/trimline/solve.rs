@@ -5,10 +5,8 @@ use std::fmt::Write;
 use clap::Args;
 use serde::Serialize;
 
-use trimline::verify::Verification;
-
 use crate::Outcome;
-use crate::failure::{Failure, print_warnings, say};
+use crate::failure::{print_warnings, say};
 use crate::options::{Collocation, Format, Solving, Terminal};
 use crate::output;
 use crate::workflow::{Patched, Solved, Spec};
@@ -84,9 +82,8 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
         let patched = spec.prepare(patch, &arguments.solving, arguments.collocation.points.as_deref())?;
         let time = patched.instant(arguments.solving.time)?;
         let solved = spec.solve(&patched, time)?;
-        let measured = spec.verify(&patched, &solved)?;
         print_warnings(&solved.solution.report.warnings, &spec.source, terminal);
-        let solution = patch_solution(&spec, &patched, &solved, &measured)?;
+        let solution = patch_solution(&patched, &solved, spec.parse_seconds);
         if arguments.format == Format::Text {
             write_text(&mut text, &solution, &patched);
             if !terminal.quiet {
@@ -106,13 +103,8 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
     }
 }
 
-fn patch_solution(
-    spec: &Spec,
-    patched: &Patched,
-    solved: &Solved,
-    measured: &Verification,
-) -> Result<PatchSolution, Failure> {
-    let report = &solved.solution.report;
+fn patch_solution(patched: &Patched, solved: &Solved, parse_seconds: f64) -> PatchSolution {
+    let (report, measured) = (&solved.solution.report, &solved.measured);
     let surface = &solved.solution.surface;
     let count = surface.basis.len();
     let conditions = patched.prepared.patch().conditions.len();
@@ -128,7 +120,7 @@ fn patch_solution(
         });
     }
     let warnings = report.warnings.iter();
-    Ok(PatchSolution {
+    PatchSolution {
         name: patched.prepared.patch().name.clone(),
         method: report.method,
         exact: report.is_exact,
@@ -145,12 +137,12 @@ fn patch_solution(
         warnings: warnings.map(|w| Warning { code: w.code.as_str(), message: w.message.clone() }).collect(),
         coefficients,
         seconds: Seconds {
-            parse: spec.parse_seconds,
+            parse: parse_seconds,
             decompose: patched.decompose_seconds,
             compile: patched.compile_seconds,
             solve: solved.solve_seconds,
         },
-    })
+    }
 }
 
 /// Writing to a string does not fail.

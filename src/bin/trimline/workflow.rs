@@ -40,7 +40,9 @@ pub struct Patched {
 /// A patch solved at one instant.
 pub struct Solved {
     pub solution: Solution,
+    pub measured: Verification,
     pub time: f64,
+    /// Seconds to solve and to measure.
     pub solve_seconds: f64,
 }
 
@@ -91,17 +93,12 @@ impl Spec {
         Ok(Patched { prepared, decompose_seconds, compile_seconds: start.elapsed().as_secs_f64() })
     }
 
-    /// Solves a patch at `time`.
+    /// Solves a patch at `time` and measures the solution.
     pub fn solve(&self, patched: &Patched, time: f64) -> Result<Solved, Failure> {
         let start = Instant::now();
-        let solution = patched.prepared.solve(&self.bindings, time).map_err(|finding| self.fault(finding))?;
-        Ok(Solved { solution, time, solve_seconds: start.elapsed().as_secs_f64() })
-    }
-
-    /// Measures a solution.
-    pub fn verify(&self, patched: &Patched, solved: &Solved) -> Result<Verification, Failure> {
-        let measured = patched.prepared.verify(&self.problem, &self.bindings, &solved.solution, solved.time);
-        measured.map_err(|finding| self.fault(finding))
+        let solved = patched.prepared.solve_judged(&self.problem, &self.bindings, time);
+        let (solution, measured) = solved.map_err(|finding| self.fault(finding))?;
+        Ok(Solved { solution, measured, time, solve_seconds: start.elapsed().as_secs_f64() })
     }
 }
 

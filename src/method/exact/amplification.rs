@@ -3,7 +3,7 @@
 //! The residual of the equation does not reveal it, so it is measured: see [`Factorised`](super::block::Factorised).
 //! Below 10 nothing is said; to 1e3 a note, to 1e10 a warning, above that there is no solution to rely on.
 
-use super::{Amplified, Discretisation, ExactSolver, Progress};
+use super::{Amplified, Discretisation, ExactSolver, MOST_TERMS, Progress};
 use crate::decompose::Decomposition;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
 use crate::expr::{ExprId, Node};
@@ -14,6 +14,9 @@ const SILENT: f64 = 10.0;
 const NOTABLE: f64 = 1e3;
 /// Above this fewer than six digits remain, and no surface is returned.
 pub(super) const RESONANT: f64 = 1e10;
+
+/// Above this, a block that no number of terms resolves suffers from resonance rather than from thin layers.
+const UNRELIABLE: f64 = 1e7;
 
 /// Critical values shown in a message.
 const SHOWN: usize = 2;
@@ -76,6 +79,25 @@ impl ExactSolver {
         critical.sort_by(|(a, _), (b, _)| a.total_cmp(b));
         let shown: Vec<String> = critical.into_iter().take(SHOWN).map(|(_, text)| text).collect();
         Ok((!shown.is_empty()).then(|| shown.join(", or at ")))
+    }
+
+    /// The finding for a block that the largest number of terms does not resolve.
+    pub(super) fn unresolved(&self, members: &[usize], progress: &Progress<'_>) -> Diagnostic {
+        let j = members.first().copied().unwrap_or(0);
+        // Near resonance rounding errors grow until no number of terms helps.
+        if let Some(worst) =
+            progress.worst.as_ref().filter(|worst| worst.members == members && worst.factor > UNRELIABLE)
+        {
+            return self.resonant(worst.factor, j);
+        }
+        let message = format!(
+            "the solution along `{}` has layers too thin for {MOST_TERMS} terms across the blend",
+            self.name(j)
+        );
+        Diagnostic::new(Code::SolutionNotFinite, message).at(self.origin(j)).hint(
+            "the coefficient of the highest derivative in u is small or zero somewhere compared with the others, or the force \
+             or a coefficient has a jump, a pole or a spike in u; smooth it, or choose a fitted method",
+        )
     }
 
     /// The finding for numbers that leave the doubles.

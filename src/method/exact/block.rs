@@ -65,6 +65,23 @@ impl BlockSystem {
         self.assemble(tables, columns, |value, _| value)
     }
 
+    /// The largest single term `B G^(p)` at any node, for functions given by the weights of columns of the tables.
+    pub fn largest_term(&self, tables: &Tables, columns: std::ops::Range<usize>, weights: &DMatrix<f64>) -> f64 {
+        let width = columns.len();
+        let term = |(order, _, unknown, values): &(usize, usize, usize, Vec<f64>)| {
+            let Some(table) = tables.values.get(*order) else { return 0.0 };
+            let image = table.columns(columns.start, width) * weights.rows(unknown * width, width);
+            let sizes = image.row_iter().enumerate().map(|(node, row)| row.amax() * Self::entry(values, node).abs());
+            sizes.fold(0.0, f64::max)
+        };
+        self.entries.iter().map(term).fold(0.0, f64::max)
+    }
+
+    /// Whether only every other order from the highest down occurs.
+    pub fn is_symmetric(&self, order: usize) -> bool {
+        order.is_multiple_of(2) && self.entries.iter().all(|(found, ..)| found.is_multiple_of(2))
+    }
+
     /// The matrix of the definite equation with the same sizes: every other order from the highest down, with
     /// alternating signs, as in `|β| D⁴ - |p| D² + |c|`. What the amplification is measured against.
     pub fn definite_matrix(&self, tables: &Tables, columns: std::ops::Range<usize>) -> DMatrix<f64> {
@@ -118,15 +135,19 @@ impl Factorised {
 
     /// How much larger solutions can be than those of the definite equation: the spectral radius of A⁻¹ E, by power
     /// iteration from a fixed start. 1 for definite equations, unbounded near resonance.
-    pub fn amplification(&self, definite: &DMatrix<f64>) -> f64 {
+    ///
+    /// With odd orders (`is_symmetric` false) E can send the resonant function to where A does not reach it, and the
+    /// radius misses it; the largest growth of any step is taken instead.
+    pub fn amplification(&self, definite: &DMatrix<f64>, is_symmetric: bool) -> f64 {
         let size = definite.nrows();
         let mut vector = start(size);
         let mut growth: f64 = 1.0;
         for _ in 0..ITERATIONS {
             let Some(image) = self.lu.solve(&(definite * &vector)) else { return f64::INFINITY };
             let length = image.norm();
-            growth = length / vector.norm();
-            if !growth.is_finite() {
+            let step = length / vector.norm();
+            growth = if is_symmetric { step } else { growth.max(step) };
+            if !step.is_finite() {
                 return f64::INFINITY;
             }
             if length == 0.0 {

@@ -18,7 +18,7 @@ use rustc_hash::FxHashMap;
 use super::{Method, Options, Report, Solution, Solver};
 use crate::decompose::{Closure, Decomposition, close};
 use crate::diagnostic::{Code, Diagnostic, Span};
-use crate::eval::{Backend, Evaluator, Program, Samples, compile};
+use crate::eval::{Backend, Evaluator, Program, compile};
 use crate::expr::{ExprId, Notation};
 use crate::limits::Limits;
 use crate::numeric::{NodeKind, nodes};
@@ -26,7 +26,7 @@ use crate::surface::{Basis, Coefficients, SeparableSurface};
 use crate::trial::{CorrectedTrial, IntegratedLegendre, Modes};
 
 use block::{BlockSystem, Factorised, Tables};
-use system::{Place, System};
+use system::{Place, System, evaluate};
 
 /// The method `exact`.
 pub struct Exact;
@@ -51,14 +51,14 @@ impl Method for Exact {
         &["tolerance"]
     }
 
-    fn accepts(&self, decomposition: &Decomposition) -> Result<(), Diagnostic> {
+    fn accepts(&self, decomposition: &Decomposition, limits: &Limits) -> Result<(), Diagnostic> {
         let (graph, operator) = (&decomposition.graph, &decomposition.patch.operator);
         let depends = |expr: ExprId| graph.dependence(expr).v || graph.dependence(expr).t;
         if operator.terms.iter().flat_map(|term| term.coefficient).any(depends) {
             let message = "the method `exact` needs coefficients that do not depend on v or t";
             return Err(Diagnostic::new(Code::UnsupportedByMethod, message).at(operator.origin));
         }
-        close(decomposition, &Limits::default()).map(|_| ())
+        close(decomposition, limits).map(|_| ())
     }
 
     fn prepare(&self, decomposition: &Decomposition, options: &Options) -> Result<Box<dyn Solver>, Diagnostic> {
@@ -283,14 +283,7 @@ impl ExactSolver {
                 return Ok(());
             }
             if terms >= MOST_TERMS {
-                let j = members.first().copied().unwrap_or(0);
-                let message = format!(
-                    "the solution along `{}` has layers too thin for {MOST_TERMS} terms across the blend",
-                    self.name(j)
-                );
-                return Err(Diagnostic::new(Code::SolutionNotFinite, message)
-                    .at(self.origin(j))
-                    .hint("the coefficient of the highest derivative in u is very small compared with the others; enlarge it, or choose a fitted method"));
+                return Err(self.unresolved(members, progress));
             }
             before = Some(residual);
             terms = (terms * 3 / 2).next_multiple_of(6).min(MOST_TERMS);
@@ -337,7 +330,8 @@ impl ExactSolver {
                 }
                 let factorised = Factorised::new(matrix);
                 let factorised = Arc::new(factorised.ok_or_else(|| self.resonant(f64::INFINITY, j))?);
-                let amplification = factorised.amplification(&block.definite_matrix(&discretisation.tables, trial));
+                let definite = block.definite_matrix(&discretisation.tables, trial);
+                let amplification = factorised.amplification(&definite, block.is_symmetric(self.order));
                 if amplification > amplification::RESONANT {
                     return Err(self.resonant(amplification, j));
                 }
@@ -373,8 +367,10 @@ impl ExactSolver {
         let discretisation = self.discretise(nodes, progress)?;
         let (block, right, largest) = self.block_of(members, component, &discretisation, nodes, progress);
         let cardinal = discretisation.tables.cardinal;
-        let image = block.matrix(&discretisation.tables, cardinal..cardinal + terms) * weights;
-        let scale = largest.max(image.amax());
+        let trial = cardinal..cardinal + terms;
+        let image = block.matrix(&discretisation.tables, trial.clone()) * weights;
+        // Single terms, not their sum: near resonance large terms cancel.
+        let scale = largest.max(block.largest_term(&discretisation.tables, trial, weights));
         let residual = (right.columns(columns.start, columns.len()) - image).amax();
         Ok(match residual / scale {
             _ if scale == 0.0 => 0.0,
@@ -491,13 +487,4 @@ impl ExactSolver {
     fn origin(&self, j: usize) -> Option<Span> {
         self.origins.get(j).copied().flatten()
     }
-}
-
-/// The values of a program of u and the params, output after output.
-fn evaluate(evaluator: &dyn Evaluator, params: &[f64], u: &[f64]) -> Result<Vec<f64>, Diagnostic> {
-    let mut values = vec![0.0; evaluator.program().outputs() * u.len()];
-    evaluator
-        .evaluate(params, Samples { u, v: u, t: u }, &mut values)
-        .map_err(|error| Diagnostic::new(Code::SolutionNotFinite, error.to_string()))?;
-    Ok(values)
 }

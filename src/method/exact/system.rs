@@ -7,6 +7,8 @@
 use std::collections::BTreeMap;
 
 use crate::decompose::Closure;
+use crate::diagnostic::{Code, Diagnostic};
+use crate::eval::{Evaluator, Samples};
 use crate::expr::{ExprId, Graph};
 use crate::problem::PdeOperator;
 
@@ -118,6 +120,15 @@ fn visit(start: usize, edges: &[Vec<usize>], seen: &mut [bool], finished: &mut V
             None => finished.push(node),
         }
     }
+}
+
+/// The values of a program of u and the params, output after output.
+pub fn evaluate(evaluator: &dyn Evaluator, params: &[f64], u: &[f64]) -> Result<Vec<f64>, Diagnostic> {
+    let mut values = vec![0.0; evaluator.program().outputs() * u.len()];
+    evaluator
+        .evaluate(params, Samples { u, v: u, t: u }, &mut values)
+        .map_err(|error| Diagnostic::new(Code::SolutionNotFinite, error.to_string()))?;
+    Ok(values)
 }
 
 #[cfg(test)]

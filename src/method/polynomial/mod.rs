@@ -48,7 +48,7 @@ impl Method for Polynomial {
         &["terms", "points", "fit"]
     }
 
-    fn accepts(&self, decomposition: &Decomposition) -> Result<(), Diagnostic> {
+    fn accepts(&self, decomposition: &Decomposition, _limits: &Limits) -> Result<(), Diagnostic> {
         let operator = &decomposition.patch.operator;
         if decomposition.basis.is_empty() && !operator.is_homogeneous(&decomposition.graph) {
             let message = "the method `polynomial` spans its surface by the boundary data, which are zero: \

@@ -3,7 +3,7 @@
 use super::system::{Group, groups};
 use crate::decompose::Decomposition;
 use crate::diagnostic::{Code, Diagnostic};
-use crate::method::{Fit, Options, Size, Terms};
+use crate::method::{Fit, Options, Size, Systems, Terms};
 use crate::numeric::NodeKind;
 
 /// Terms, grid and systems of a fit.
@@ -64,20 +64,8 @@ impl Plan {
         let components = if is_vector { 3 } else { 1 };
         let symbols = decomposition.basis.len().saturating_mul(components * (operator.order_in_u() + 1));
         let entries = rows.saturating_mul(orders).saturating_mul(unknowns.max(symbols));
-        let sizes = [
-            ("unknowns", limits.unknowns, unknowns),
-            ("system-entries", limits.system_entries, entries),
-            ("samples", limits.samples, rows),
-        ];
-        for (name, limit, size) in sizes {
-            if size > limit {
-                let message = format!(
-                    "{terms} terms on {} x {} points need {size}, above the limit `{name}` of {limit}",
-                    points.u, points.v
-                );
-                return Err(Diagnostic::new(Code::LimitReached, message).at(origin));
-            }
-        }
+        let systems = Systems { count: groups.len(), rows, unknowns, entries, points: rows };
+        systems.check(limits).map_err(|finding| finding.at(origin))?;
         Ok(Plan { lowest, terms, points, fit, groups })
     }
 }

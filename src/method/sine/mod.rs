@@ -16,9 +16,10 @@ use std::sync::Arc;
 use nalgebra::DMatrix;
 
 use super::equation::{Equation, place};
-use super::{Method, Options, Report, Size, Solution, Solver, Terms};
+use super::{Method, Options, Report, Size, Solution, Solver, Systems, Terms};
 use crate::decompose::Decomposition;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
+use crate::limits::Limits;
 use crate::numeric::{NodeKind, nodes};
 use crate::surface::{Coefficients, SeparableSurface};
 use crate::trial::{Modes, Sine};
@@ -44,7 +45,7 @@ impl Method for SineSeries {
         &["terms", "points"]
     }
 
-    fn accepts(&self, decomposition: &Decomposition) -> Result<(), Diagnostic> {
+    fn accepts(&self, decomposition: &Decomposition, _limits: &Limits) -> Result<(), Diagnostic> {
         let (graph, operator) = (&decomposition.graph, &decomposition.patch.operator);
         let refuse = |message: &str| {
             let finding = Diagnostic::new(Code::UnsupportedByMethod, message);
@@ -94,20 +95,14 @@ fn sizes(decomposition: &Decomposition, options: &Options, orders_in_t: usize) -
     let limits = &options.limits;
     let per_row = decomposition.patch.operator.order_in_u() + 1;
     let reduced_rows = points.u.saturating_mul(per_row).saturating_mul(orders_in_t + 1);
-    let sizes = [
-        ("unknowns", limits.unknowns, terms.saturating_mul(decomposition.basis.len())),
-        ("system-entries", limits.system_entries, reduced_rows.saturating_mul(terms)),
-        ("samples", limits.samples, points.u.saturating_mul(points.v)),
-    ];
-    for (name, limit, size) in sizes {
-        if size > limit {
-            let message = format!(
-                "{terms} terms on {} x {} points need {size}, above the limit `{name}` of {limit}",
-                points.u, points.v
-            );
-            return Err(Diagnostic::new(Code::LimitReached, message).at(points_origin.or(terms_origin)));
-        }
-    }
+    let systems = Systems {
+        count: decomposition.basis.len(),
+        rows: reduced_rows,
+        unknowns: terms,
+        entries: 0,
+        points: points.u.saturating_mul(points.v),
+    };
+    systems.check(limits).map_err(|finding| finding.at(points_origin.or(terms_origin)))?;
     Ok((terms, points))
 }
 

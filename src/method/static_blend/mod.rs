@@ -16,11 +16,12 @@ mod solver;
 
 use std::sync::Arc;
 
-use super::{Method, Options, Size, Solver, Terms};
+use super::{Method, Options, Size, Solver, Systems, Terms};
 use crate::decompose::{Decomposition, bounded_derivative};
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::eval::{Backend, Program, compile};
 use crate::expr::{Derivative, ExprId, Graph, Number, Variable};
+use crate::limits::Limits;
 use crate::numeric::NodeKind;
 use crate::problem::{PdeTerm, describe_condition};
 use crate::surface::Basis;
@@ -50,7 +51,7 @@ impl Method for StaticBlend {
         &["terms", "points"]
     }
 
-    fn accepts(&self, decomposition: &Decomposition) -> Result<(), Diagnostic> {
+    fn accepts(&self, decomposition: &Decomposition, _limits: &Limits) -> Result<(), Diagnostic> {
         let (graph, operator) = (&decomposition.graph, &decomposition.patch.operator);
         let refuse = |message: String| {
             let finding = Diagnostic::new(Code::UnsupportedByMethod, message);
@@ -209,19 +210,7 @@ fn sizes(decomposition: &Decomposition, options: &Options) -> Result<([usize; 2]
     let limits = &options.limits;
     let (unknowns, rows) = ((m + 1) * (n + 1), points.u.saturating_mul(points.v));
     let functions = (decomposition.basis.len() + n + 1).saturating_mul(points.v);
-    let sizes = [
-        ("unknowns", limits.unknowns, unknowns),
-        ("system-entries", limits.system_entries, rows.saturating_mul(unknowns).max(functions)),
-        ("samples", limits.samples, rows),
-    ];
-    for (name, limit, size) in sizes {
-        if size > limit {
-            let message = format!(
-                "terms up to u^{m} v^{n} on {} x {} points need {size}, above the limit `{name}` of {limit}",
-                points.u, points.v
-            );
-            return Err(Diagnostic::new(Code::LimitReached, message).at(points_origin));
-        }
-    }
+    let systems = Systems { count: 1, rows, unknowns, entries: functions, points: rows };
+    systems.check(limits).map_err(|finding| finding.at(points_origin))?;
     Ok((powers, points))
 }
