@@ -107,6 +107,10 @@ impl Scope {
         if text.len() > COMPARED_BYTES {
             return finding.hint("it is declared nowhere, and too long to be a slip of another name");
         }
+        if text.starts_with("S_") {
+            return finding
+                .hint("the components are `S_x`, `S_y`, `S_z`; derivatives are written `∂²S/∂u²` or `d2S/du2`");
+        }
         if let Some(product) = self.as_product(text) {
             return finding.hint(format!("did you mean `{product}`? Factors need a space or `*` between them"));
         }

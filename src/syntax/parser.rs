@@ -127,6 +127,10 @@ fn advice(text: &str, at: usize) -> Option<String> {
     if rest.starts_with("==") || (rest.starts_with('=') && before.ends_with('=')) {
         return Some("write a single `=`".to_owned());
     }
+    if text.starts_with("pde") && ["∂²/∂", "∂/∂", "d2/d", "d/d"].iter().any(|operator| text.contains(operator))
+    {
+        return Some("operators in brackets are not read: write out each term, such as `∂⁴S/∂u²∂v²`".to_owned());
+    }
     for word in ["surface", "patch", "join", "curve"] {
         if text.strip_prefix(word).is_some_and(|tail| tail.starts_with([' ', '\t'])) {
             return Some(format!("`{word}` is reserved for a later version of the language"));

@@ -164,6 +164,10 @@ fn text(report: &Report) -> String {
         }
         let _ = writeln!(text, "  {:20} {:.1e} of the largest term", "PDE residual", patch.pde_residual);
     }
-    let _ = writeln!(text, "{}", if report.passed { "passed" } else { "not passed" });
+    let _ = writeln!(
+        text,
+        "{}",
+        if report.passed { "passed" } else { "not passed: a position is missed by more than --max-gap" }
+    );
     text
 }
