@@ -93,7 +93,7 @@ fn words(rule: Rule) -> Option<&'static str> {
         | Rule::root_sign => "an expression",
         Rule::name | Rule::parameter | Rule::definition | Rule::assignment | Rule::range => "a name",
         Rule::interval => "an interval `[lo, hi]`",
-        Rule::constraint | Rule::constraints | Rule::target | Rule::coordinate => "a constraint such as `S_x = …`",
+        Rule::constraint | Rule::constraints | Rule::target => "a constraint such as `S_x = …`",
         Rule::line
         | Rule::param_line
         | Rule::let_line
@@ -127,8 +127,7 @@ fn advice(text: &str, at: usize) -> Option<String> {
     if rest.starts_with("==") || (rest.starts_with('=') && before.ends_with('=')) {
         return Some("write a single `=`".to_owned());
     }
-    if text.starts_with("pde") && ["∂²/∂", "∂/∂", "d2/d", "d/d"].iter().any(|operator| text.contains(operator))
-    {
+    if ["∂²/∂", "∂/∂", "d2/d"].iter().any(|operator| text.contains(operator)) {
         return Some("operators in brackets are not read: write out each term, such as `∂⁴S/∂u²∂v²`".to_owned());
     }
     for word in ["surface", "patch", "join", "curve"] {
