@@ -35,7 +35,7 @@ pub struct Prepared {
 }
 
 /// Methods meet the boundary to rounding by construction; this is what ill-conditioned constraints may cost, relative
-/// to the size of the patch.
+/// to the size of the boundary data.
 const LARGEST_MISS: f64 = 1e-9;
 
 /// Of the largest term. Stiff equations reach 1e-10; what is far above was not resolved.
@@ -183,7 +183,7 @@ impl Prepared {
     ) -> Result<(Solution, Verification), Diagnostic> {
         let solution = self.solve(bindings, t)?;
         let measured = self.verify(problem, bindings, &solution, t)?;
-        let miss = measured.boundary_error() / measured.size.max(1.0);
+        let miss = measured.boundary_error() / measured.data_size.max(1.0);
         let residual = if solution.report.is_exact { measured.relative_residual() } else { 0.0 };
         // Written so that NaN is refused.
         if miss <= LARGEST_MISS && residual <= LARGEST_EXACT_RESIDUAL {

@@ -22,6 +22,9 @@ pub struct Verification {
     pub largest_term: f64,
     /// The largest coordinate of S on the grid.
     pub size: f64,
+    /// The largest prescribed value: what boundary errors are to be compared with. Not `size`, which a surface that
+    /// explodes between its trimlines would set itself.
+    pub data_size: f64,
 }
 
 impl Verification {
@@ -48,6 +51,7 @@ impl Verification {
             residual: worse.residual,
             largest_term: worse.largest_term,
             size: self.size.max(other.size),
+            data_size: self.data_size.max(other.data_size),
         }
     }
 }
@@ -70,6 +74,7 @@ pub fn verify(
 ) -> Result<Verification, Diagnostic> {
     let v = with_ends(GRID[1], domain.v);
     let mut boundary_errors = Vec::with_capacity(patch.conditions.len());
+    let mut data_size = 0.0_f64;
     for condition in &patch.conditions {
         let u = bindings.constant(problem, condition.u, None, "the position of a boundary")?;
         let stated = evaluate(&problem.graph, &condition.value, bindings, &[u], &v, t)?;
@@ -81,6 +86,7 @@ pub fn verify(
             let origin = condition.origins.get(component).copied().flatten();
             return Err(not_finite(&what, stated.get(at).copied(), origin, v.get(at % v.len()), t));
         }
+        data_size = stated.iter().fold(data_size, |most, value| most.max(value.abs()));
         let mut found = vec![[0.0; 3]; v.len()];
         surface.evaluate_grid(Derivative::new(condition.order, 0, 0), (&[u], &v, t), &mut found)?;
         let mut error = 0.0_f64;
@@ -96,7 +102,7 @@ pub fn verify(
     let mut positions = vec![[0.0; 3]; u.len() * v.len()];
     surface.evaluate_grid(Derivative::NONE, (&u, &v, t), &mut positions)?;
     let size = positions.iter().flatten().fold(0.0_f64, |most, value| most.max(value.abs()));
-    Ok(Verification { boundary_errors, residual, largest_term, size })
+    Ok(Verification { boundary_errors, residual, largest_term, size, data_size })
 }
 
 /// Gauss nodes, which no collocation grid with rational spacing shares, and both ends.
