@@ -208,6 +208,11 @@ impl Builder<'_> {
                     return Err(ambiguous_argument(called.name(), self.text(place), parts).at(whole));
                 }
                 let factor = self.power(part)?;
+                // `v (1-t)` is one application to the grammar, and still a coordinate with something after it.
+                if let Some(end) = self.applied_coordinate(factor) {
+                    let parts = [Span::new(place.start, end), Span::new(end, here.end)].map(|span| self.text(span));
+                    return Err(ambiguous_argument(called.name(), self.text(place), parts).at(whole));
+                }
                 has_coordinate = self.mentions_coordinate(factor).then_some(here.end);
                 factors.push((false, factor));
             }
@@ -230,10 +235,22 @@ impl Builder<'_> {
         Ok(self.raised(value, exponent))
     }
 
+    /// Where the name ends in `v(…)`, `v(…)^2` and the like for a coordinate.
+    fn applied_coordinate(&self, factor: Expression) -> Option<usize> {
+        match &self.tree.node(factor).kind {
+            Kind::Application(name, _) if is_coordinate(&name.text) => Some(name.span.end),
+            Kind::Power(base, _) => match &self.tree.node(*base).kind {
+                Kind::Application(name, _) if is_coordinate(&name.text) => Some(name.span.end),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
     /// Whether u, v or t occurs in an expression.
     fn mentions_coordinate(&self, expression: Expression) -> bool {
         self.tree.parts(expression).into_iter().any(|part| match &self.tree.node(part).kind {
-            Kind::Name(name) | Kind::Application(name, _) => matches!(name.text.as_str(), "u" | "v" | "t"),
+            Kind::Name(name) | Kind::Application(name, _) => is_coordinate(&name.text),
             _ => false,
         })
     }
@@ -326,6 +343,10 @@ struct Run {
     head: usize,
     /// Name and argument of a last factor like `sin πt`, whose end is open.
     bare_call: Option<(String, String)>,
+}
+
+fn is_coordinate(name: &str) -> bool {
+    matches!(name, "u" | "v" | "t")
 }
 
 /// `cos v t`: once an argument has its coordinate, what follows may belong to it or not.

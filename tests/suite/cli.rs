@@ -341,3 +341,68 @@ fn a_reader_that_goes_away_is_no_panic() {
     let output = child.wait_with_output().expect("the command ends");
     assert!(!text(&output.stderr).contains("panicked"), "{}", text(&output.stderr));
 }
+
+#[test]
+fn published_values_of_eq19_come_out_of_eval() {
+    let vectors = |value: &Value| -> Vec<Vec<f64>> {
+        let rows = value.as_array().expect("rows").iter();
+        rows.map(|row| row.as_array().expect("a row").iter().map(|x| x.as_f64().expect("a number")).collect()).collect()
+    };
+    for case in ["K5_mid", "K5_end", "K7_mid", "K7_end", "K10_mid", "K10_end"] {
+        let path = format!("{}/tests/reference/eq19_sine_{case}.json", env!("CARGO_MANIFEST_DIR"));
+        let text = std::fs::read_to_string(path).expect("a reference file");
+        let reference: Value = serde_json::from_str(&text).expect("JSON");
+        let terms = reference["settings"]["terms"].to_string();
+        let points = reference["settings"]["points"].as_str().expect("a grid");
+        let lines = vectors(&reference["points"]).into_iter().map(|p| format!("{:?},{:?},{:?}\n", p[0], p[1], p[2]));
+        let input = format!("u,v,t\n{}", lines.collect::<String>());
+        let spec = example("eq19.trim");
+        let output = trimline_reading(
+            &input,
+            &["eval", &spec, "--points", "-", "--points", points, "--terms", &terms, "--derivatives", "u,v"],
+        );
+        let csv = done(&output);
+        let size = vectors(&reference["S"]).iter().flatten().fold(0.0_f64, |most, x| most.max(x.abs()));
+        let [s, s_u, s_v] = ["S", "S_u", "S_v"].map(|key| vectors(&reference[key]));
+        assert_eq!(csv.lines().count(), s.len() + 1);
+        for (index, line) in csv.lines().skip(1).enumerate() {
+            let found = line.split(',').skip(3).map(|cell| cell.parse::<f64>().expect("a number"));
+            let expected = s[index].iter().chain(&s_u[index]).chain(&s_v[index]);
+            for (found, expected) in found.zip(expected) {
+                // The bound stated with the values.
+                assert!((found - expected).abs() <= 1e-10 * size, "{case}: {line}");
+            }
+        }
+    }
+}
+
+#[test]
+fn solve_prints_every_function_the_surface_is_made_of() {
+    for (name, method) in [("eq6.trim", "exact"), ("p1_ex1.trim", "static_blend")] {
+        let output = done(&trimline(&["solve", &example(name), "--method", method, "--format", "json"]));
+        let solution: Value = serde_json::from_str(&output).expect("valid JSON");
+        let patch = &solution["patches"][0];
+        let functions = patch["coefficients"].as_array().expect("functions");
+        assert!(functions.len() > patch["basis_size"].as_u64().expect("a number") as usize, "{name}");
+        let terms = functions.iter().flat_map(|function| function["terms"].as_array().expect("terms"));
+        assert!(terms.flat_map(|term| term.as_array().expect("x, y, z")).any(|x| x.as_f64() != Some(0.0)), "{name}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_is_followed_and_a_folder_is_left_alone() {
+    let folder = Folder::new();
+    let spec = folder.spec(COMPLETE);
+    let (target, link) = (folder.path("target.obj"), folder.path("link.obj"));
+    std::fs::write(&target, "old").expect("the folder can be written");
+    std::os::unix::fs::symlink(&target, &link).expect("a link can be made");
+    done(&trimline(&["mesh", &spec, "-o", &link.to_string_lossy(), "--grid", "2x4"]));
+    assert!(link.is_symlink() && std::fs::read_to_string(&target).expect("written").contains("o spec"));
+
+    // The third frame cannot be written, so none is.
+    std::fs::create_dir(folder.path("a.0002.obj")).expect("the folder can be written");
+    let output = trimline(&["mesh", &spec, "-o", &folder.path("a.obj").to_string_lossy(), "--frames", "4"]);
+    assert_eq!(status(&output), 2, "{}", text(&output.stderr));
+    assert_eq!(folder.files(), ["a.0002.obj", "link.obj", "spec.trim", "target.obj"]);
+}

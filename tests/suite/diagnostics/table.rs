@@ -154,4 +154,11 @@ pub const ROWS: &[Row] = &[
     (Whole("pde d2S/du2 + 9.87 S = 0\nat u = 0: S = [1, 0, 0]\nat u = 1: S = 0"), NearlyResonant, "2:16", "1", "expect a relative error"),
     (Whole("pde d2S/du2 + 9.5 S = 0\nat u = 0: S = [1, 0, 0]\nat u = 1: S = 0"), Amplified, "2:16", "1", "amplifies"),
     (Whole("at u = 0: S = [1, 0, 0], dS/du = [1, 0, 0]\nat u = 1: S = 0, dS/du = 0\nsolve sine, terms = 10, points = 11 x 11 : ends"), RankDeficient, "1:16", "1", "9 of 10 terms"),
+    (Data("cos v t"), AmbiguousExpression, "1:16", "cos v t", "write `cos(v t)` if it does, `cos(v)*t`"),
+    (Data("sin v e^t"), AmbiguousExpression, "1:16", "sin v e^t", "`sin(v)*e^t` if it does not"),
+    (Data("cos v (1-t)"), AmbiguousExpression, "1:16", "cos v (1-t)", "`cos(v)*(1-t)` if it does not"),
+    (Data("2 sin v(1-t)^2"), AmbiguousExpression, "1:18", "sin v(1-t)^2", "`sin(v)*(1-t)^2` if it does not"),
+    (Data("e^-2t"), AmbiguousExpression, "1:16", "e^-2t", "write `e^(-2*t)`"),
+    (Data("1.5.2 v"), UnexpectedText, "1:16", "1.5.2", "two numbers stand side by side"),
+    (After("solve sine, terms = 2000, points = 4000 x 4"), LimitReached, "3:36", "4000 x 4", "`operations`"),
 ];
