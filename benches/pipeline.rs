@@ -75,5 +75,31 @@ fn stages(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, stages);
+/// A document of as many vector constraints, four in each patch, whose data go through a definition of the patch.
+fn document_of(constraints: usize) -> String {
+    let patch = |i: usize| {
+        let (from, to) = (i, i + 1);
+        format!(
+            "patch p{i} {{\n domain u in [{from}, {to}]\n let ring{i}(s) = [s cos(v + {i} t), s sin(v + {i} t), {i}]\n \
+             at u = {from}: S = ring{i}(r), dS/du = [0, 0, h]\n at u = {to}: S = ring{i}(2 r), dS/du = [0, 0, h]\n}}\n"
+        )
+    };
+    let patches: String = (0..constraints / 4).map(patch).collect();
+    format!("param r = 1, h = 2\n{patches}")
+}
+
+/// Parsing and resolving are linear in the size of the document: four times the constraints, four times as long.
+fn long_documents(criterion: &mut Criterion) {
+    let limits = Limits::default();
+    let mut group = criterion.benchmark_group("constraints");
+    for constraints in [250, 1000] {
+        let source = Source::new("long", document_of(constraints));
+        group.bench_function(format!("parse and resolve {constraints}"), |b| {
+            b.iter(|| resolve(&syntax::parse(black_box(&source), &limits)?, "long", &limits));
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, stages, long_documents);
 criterion_main!(benches);

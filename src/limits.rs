@@ -13,6 +13,8 @@ pub struct Limits {
     pub nesting: usize,
     /// Names declared in one document.
     pub names: usize,
+    /// Patches of one document.
+    pub patches: usize,
     /// Distinct nodes of one expression graph and their operands.
     pub graph_nodes: usize,
     /// Bytes of one expression written as text.
@@ -43,6 +45,7 @@ impl Default for Limits {
             source_bytes: 1 << 20,
             nesting: 128,
             names: 4096,
+            patches: 256,
             graph_nodes: 200_000,
             text_bytes: 1 << 20,
             monomials: 4096,
@@ -60,11 +63,12 @@ impl Default for Limits {
 
 impl Limits {
     /// Every limit with the name it has on the command line (`--limits nesting=64`).
-    pub fn named(&mut self) -> [(&'static str, &mut usize); 14] {
+    pub fn named(&mut self) -> [(&'static str, &mut usize); 15] {
         [
             ("source-bytes", &mut self.source_bytes),
             ("nesting", &mut self.nesting),
             ("names", &mut self.names),
+            ("patches", &mut self.patches),
             ("graph-nodes", &mut self.graph_nodes),
             ("text-bytes", &mut self.text_bytes),
             ("monomials", &mut self.monomials),

@@ -5,7 +5,7 @@
 //! Nodes are only made by the constructors in [`simplify`](super::simplify), so every node is in canonical form.
 
 use indexmap::IndexSet;
-use rustc_hash::FxBuildHasher;
+use rustc_hash::{FxBuildHasher, FxHashSet};
 
 use super::function::Function;
 use super::number::Number;
@@ -240,17 +240,33 @@ impl Graph {
     }
 
     /// Every node that `roots` consist of, operands before the nodes that use them.
+    ///
+    /// Cost: about the number of those nodes and of their operands, however large the graph is.
     #[must_use]
     pub fn reachable(&self, roots: &[ExprId]) -> Vec<ExprId> {
-        let mut seen = vec![false; self.nodes.len()];
+        let mut seen: FxHashSet<ExprId> = FxHashSet::default();
         let mut pending = roots.to_vec();
         while let Some(id) = pending.pop() {
-            if let Some(mark @ false) = seen.get_mut(id.0 as usize) {
-                *mark = true;
-                pending.extend(self.operands(id));
+            if seen.insert(id) {
+                self.for_each_operand(id, |operand| pending.push(operand));
             }
         }
-        (0_u32..).zip(seen).filter_map(|(id, is_seen)| is_seen.then_some(ExprId(id))).collect()
+        let mut found: Vec<ExprId> = seen.into_iter().collect();
+        found.sort_unstable();
+        found
+    }
+
+    fn for_each_operand(&self, id: ExprId, mut visit: impl FnMut(ExprId)) {
+        match self.node(id) {
+            Node::Number(_) | Node::Constant(_) | Node::Symbol(_) | Node::Variable(_) => {}
+            Node::Sum(operands) | Node::Product(operands) | Node::Call(_, operands) => {
+                operands.iter().copied().for_each(visit);
+            }
+            Node::Power(base, exponent) => {
+                visit(*base);
+                visit(*exponent);
+            }
+        }
     }
 
     /// The id of `node`, which must be in canonical form.

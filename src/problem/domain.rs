@@ -39,6 +39,14 @@ impl Domain {
     /// [`Code::EmptyDomain`] when a range has no extent or its ends are swapped, [`Code::ParameterNotFinite`]
     /// when an end is not finite.
     pub fn evaluate(&self, problem: &Problem, bindings: &Bindings) -> Result<DomainValues, Diagnostic> {
+        self.evaluate_in(&problem.graph, bindings)
+    }
+
+    /// As [`Domain::evaluate`], with the graph of the problem.
+    ///
+    /// # Errors
+    /// As [`Domain::evaluate`].
+    pub fn evaluate_in(&self, graph: &Graph, bindings: &Bindings) -> Result<DomainValues, Diagnostic> {
         let mut values = [[0.0; 2]; 3];
         let ranges = self.ends.iter().zip(self.origins).zip(Variable::ALL).zip(&mut values);
         for (((ends, origin), variable), value) in ranges {
@@ -46,7 +54,7 @@ impl Domain {
             let what = format!("the range of {name}");
             let [low, high] = *ends;
             *value =
-                [bindings.constant(problem, low, origin, &what)?, bindings.constant(problem, high, origin, &what)?];
+                [bindings.constant_in(graph, low, origin, &what)?, bindings.constant_in(graph, high, origin, &what)?];
             let [low, high] = *value;
             if low >= high {
                 let message = format!("the domain {name} in [{low}, {high}] is empty");

@@ -2,7 +2,7 @@
 
 use super::Problem;
 use crate::diagnostic::{Code, Diagnostic, Span};
-use crate::expr::{ExprId, SymbolId};
+use crate::expr::{ExprId, Graph, SymbolId};
 
 /// Where a parameter belongs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -87,7 +87,21 @@ impl Bindings {
         origin: Option<Span>,
         what: &str,
     ) -> Result<f64, Diagnostic> {
-        let value = problem.graph.value(expr, &self.values, [f64::NAN; 3]);
+        self.constant_in(&problem.graph, expr, origin, what)
+    }
+
+    /// As [`Bindings::constant`], with the graph of the problem.
+    ///
+    /// # Errors
+    /// As [`Bindings::constant`].
+    pub fn constant_in(
+        &self,
+        graph: &Graph,
+        expr: ExprId,
+        origin: Option<Span>,
+        what: &str,
+    ) -> Result<f64, Diagnostic> {
+        let value = graph.value(expr, &self.values, [f64::NAN; 3]);
         if value.is_finite() {
             return Ok(value);
         }

@@ -1,11 +1,12 @@
 //! `at u = c:` blocks to boundary conditions, counted against the order of the equation.
 
 use super::lower::{Lowering, components};
-use super::scope::Value;
-use crate::diagnostic::{Code, Diagnostic, Diagnostics, MOST_FINDINGS, Span};
+use super::reading::{Fault, Reading};
+use super::scope::{Scope, Value};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 use crate::expr::{ExprId, Variable};
 use crate::numeric::CardinalPolynomials;
-use crate::problem::{BoundaryCondition, describe_condition};
+use crate::problem::{Bindings, BoundaryCondition, describe_condition};
 use crate::syntax::ast::{Boundary, Constraint, Kind};
 
 /// A condition that is still being collected.
@@ -16,85 +17,105 @@ struct Collected {
     value: [Option<(ExprId, Span)>; 3],
 }
 
-/// Resolves all boundary blocks. `position_of` gives the number behind a constant expression.
+/// What the boundary blocks of a patch are judged by.
+pub struct Frame<'a> {
+    /// The order of the equation, if it has one.
+    pub order_in_u: Option<usize>,
+    /// The values of parameters and the range of u, if they are known.
+    pub numbers: Option<(&'a Bindings, [f64; 2])>,
+    /// Where the patch is named.
+    pub place: Option<Span>,
+}
+
+/// Resolves all boundary blocks; `None` if the boundary is at fault or cannot be judged.
 pub fn resolve(
     boundaries: &[Boundary],
-    lowering: &mut Lowering<'_>,
-    order_in_u: usize,
-    range: [f64; 2],
-    position_of: impl Fn(ExprId, Span, &crate::expr::Graph) -> Result<f64, Diagnostic>,
-) -> Result<Vec<BoundaryCondition>, Diagnostics> {
-    let mut found = Diagnostics::new();
+    frame: &Frame<'_>,
+    scope: &Scope<'_>,
+    reading: &mut Reading<'_>,
+) -> Option<Vec<BoundaryCondition>> {
+    let found_before = reading.found.len();
     let mut collected: Vec<Collected> = Vec::new();
     for boundary in boundaries {
-        let place = lowering.tree.span(boundary.position);
-        let position = position(boundary, lowering).and_then(|u| Ok((u, position_of(u, place, lowering.graph)?)));
-        match position {
-            Ok((_, position)) if !(range[0]..=range[1]).contains(&position) => found.push(
-                Diagnostic::new(
-                    Code::DependentConstraints,
-                    format!("u = {position} lies outside the domain u in [{}, {}]", range[0], range[1]),
-                )
-                .at(place),
-            ),
-            Ok((u, position)) => {
-                for constraint in &boundary.constraints {
-                    if let Err(finding) = add(constraint, (u, position), order_in_u, lowering, &mut collected) {
-                        found.push(finding);
-                        if found.len() >= MOST_FINDINGS {
-                            return Err(found);
-                        }
-                    }
-                }
+        let edge = edge(boundary, frame, &mut reading.lowering(scope));
+        let edge = reading.keep(edge).flatten();
+        for constraint in &boundary.constraints {
+            if reading.is_over {
+                return None;
             }
-            Err(finding) => found.push(finding),
-        }
-        if found.len() >= MOST_FINDINGS {
-            return Err(found);
+            let stated = stated(constraint, frame.order_in_u, &mut reading.lowering(scope));
+            if let (Some(stated), Some(edge)) = (reading.keep(stated), edge) {
+                let added = add(stated, edge, &mut reading.lowering(scope), &mut collected);
+                reading.keep(added);
+            }
         }
     }
-    if !found.is_empty() {
-        return Err(found);
-    }
+    let (Some(order_in_u), Some((_, range)), true) =
+        (frame.order_in_u, frame.numbers, reading.found.len() == found_before)
+    else {
+        return None;
+    };
     collected.sort_by(|a, b| a.position.total_cmp(&b.position).then(a.order.cmp(&b.order)));
-    check_complete(&collected, boundaries, lowering, order_in_u, range)?;
+    let whole = boundaries.last().map(|boundary| reading.tree.span(boundary.position)).or(frame.place);
+    let complete = check_complete(&collected, whole, order_in_u, range);
+    if let Err(findings) = complete {
+        findings.into_iter().for_each(|finding| reading.report(finding));
+        return None;
+    }
     let conditions = collected.into_iter().map(|condition| BoundaryCondition {
         u: condition.u,
         order: condition.order,
         value: condition.value.map(|value| value.map_or(condition.u, |(expr, _)| expr)),
         origins: condition.value.map(|value| value.map(|(_, span)| span)),
     });
-    Ok(conditions.collect())
+    Some(conditions.collect())
 }
 
-fn position(boundary: &Boundary, lowering: &mut Lowering<'_>) -> Result<ExprId, Diagnostic> {
+/// The position of a boundary, symbolically and as a number; `None` where numbers are not known.
+fn edge(
+    boundary: &Boundary,
+    frame: &Frame<'_>,
+    lowering: &mut Lowering<'_>,
+) -> Result<Option<(ExprId, f64)>, Fault> {
     if boundary.variable.text != Variable::U.name() {
         let message = format!("boundaries are at values of u, not of `{}`", boundary.variable.text);
         return Err(Diagnostic::new(Code::UnexpectedText, message)
             .at(boundary.variable.span)
-            .hint("u runs across the blend, from one trimline to the other; write `at u = 0:`"));
+            .hint("u runs across the blend, from one trimline to the other; write `at u = 0:`")
+            .into());
     }
-    lowering.constant(boundary.position, "the position of a boundary")
+    let u = lowering.constant(boundary.position, "the position of a boundary")?;
+    let Some((bindings, range)) = frame.numbers else { return Ok(None) };
+    let place = lowering.tree.span(boundary.position);
+    let position = bindings.constant_in(lowering.graph, u, Some(place), "the position of a boundary")?;
+    if !(range[0]..=range[1]).contains(&position) {
+        let message = format!("u = {position} lies outside the domain u in [{}, {}]", range[0], range[1]);
+        return Err(Diagnostic::new(Code::DependentConstraints, message).at(place).into());
+    }
+    Ok(Some((u, position)))
 }
 
-fn add(
-    constraint: &Constraint,
-    (u, position): (ExprId, f64),
-    order_in_u: usize,
-    lowering: &mut Lowering<'_>,
-    collected: &mut Vec<Collected>,
-) -> Result<(), Diagnostic> {
+/// A constraint with its value: for each component the prescribed function, if there is one, and its place.
+struct Stated {
+    order: usize,
+    value: [Option<ExprId>; 3],
+    places: [Span; 3],
+    span: Span,
+}
+
+fn stated(constraint: &Constraint, order_in_u: Option<usize>, lowering: &mut Lowering<'_>) -> Result<Stated, Fault> {
     let target = constraint.target;
     let order = target.derivative.u;
     if target.derivative.v > 0 || target.derivative.t > 0 {
         return Err(Diagnostic::new(Code::UnexpectedText, "a boundary constraint is on S or its derivatives in u")
             .at(target.span)
-            .hint("derivatives along the trimline follow from S there"));
+            .hint("derivatives along the trimline follow from S there")
+            .into());
     }
-    if order >= order_in_u {
+    if let Some(order_in_u) = order_in_u.filter(|most| order >= *most) {
         let message =
             format!("an equation of order {order_in_u} in u takes no constraint on a derivative of order {order}");
-        return Err(Diagnostic::new(Code::WrongConstraintCount, message).at(target.span));
+        return Err(Diagnostic::new(Code::WrongConstraintCount, message).at(target.span).into());
     }
     let value = lowering.value(constraint.value)?;
     let place = lowering.tree.span(constraint.value);
@@ -102,11 +123,14 @@ fn add(
         (None, Value::Scalar(expr)) if !lowering.graph.is_zero(expr) => {
             return Err(Diagnostic::new(Code::NotScalar, "S is a vector, so its constraint must be one")
                 .at(place)
-                .hint("write `[x, y, z]`, or constrain one component: `S_x = …`"));
+                .hint("write `[x, y, z]`, or constrain one component: `S_x = …`")
+                .into());
         }
         (None, value) => components(value).map(Some),
         (Some(_), Value::Vector(_)) => {
-            return Err(Diagnostic::new(Code::NotScalar, "a component of S is a number, not a vector").at(place));
+            return Err(Diagnostic::new(Code::NotScalar, "a component of S is a number, not a vector")
+                .at(place)
+                .into());
         }
         (Some(component), Value::Scalar(expr)) => {
             let mut wanted = [None; 3];
@@ -124,7 +148,18 @@ fn add(
         },
         _ => [place; 3],
     };
-    for (expr, place) in wanted.into_iter().zip(places) {
+    Ok(Stated { order, value: wanted, places, span: constraint.span })
+}
+
+/// Adds a constraint to the conditions at the edge `u`.
+fn add(
+    stated: Stated,
+    (u, position): (ExprId, f64),
+    lowering: &mut Lowering<'_>,
+    collected: &mut Vec<Collected>,
+) -> Result<(), Diagnostic> {
+    let Stated { order, value, places, span } = stated;
+    for (expr, place) in value.into_iter().zip(places) {
         if let Some(expr) = expr
             && lowering.graph.dependence(expr).u
         {
@@ -137,12 +172,12 @@ fn add(
         collected.len() - 1
     });
     let Some(condition) = collected.get_mut(index) else { return Ok(()) };
-    for (component, ((slot, expr), place)) in condition.value.iter_mut().zip(wanted).zip(places).enumerate() {
+    for (component, ((slot, expr), place)) in condition.value.iter_mut().zip(value).zip(places).enumerate() {
         match (slot.as_ref(), expr) {
             (Some((_, first)), Some(_)) => {
                 let what = describe_condition(Some(component), order, position);
                 return Err(Diagnostic::new(Code::DuplicateConstraint, format!("{what} is given twice"))
-                    .at(constraint.span)
+                    .at(span)
                     .label(*first, "first given here"));
             }
             (None, Some(expr)) => *slot = Some((expr, place)),
@@ -173,12 +208,10 @@ fn depends_on_u(expr: ExprId, u: ExprId, position: f64, place: Span, lowering: &
 /// Checks that there are as many conditions as the order, complete in every component and independent.
 fn check_complete(
     collected: &[Collected],
-    boundaries: &[Boundary],
-    lowering: &Lowering<'_>,
+    whole: Option<Span>,
     order_in_u: usize,
     range: [f64; 2],
 ) -> Result<(), Diagnostics> {
-    let whole = boundaries.last().map(|boundary| lowering.tree.span(boundary.position));
     if collected.len() != order_in_u {
         let stated: Vec<String> = collected.iter().map(|c| describe_condition(None, c.order, c.position)).collect();
         let stated = if stated.is_empty() { "none".to_owned() } else { stated.join(", ") };

@@ -3,102 +3,89 @@
 use rustc_hash::FxHashSet;
 
 use super::lower::{Lowering, components};
+use super::reading::{Fault, Reading};
 use super::scope::{Meaning, Scope, Value};
-use crate::diagnostic::{Code, Diagnostic, Diagnostics};
+use crate::diagnostic::{Code, Diagnostic};
 use crate::expr::{ExprId, Graph, Node};
-use crate::limits::Limits;
 use crate::problem::{Parameter, ParameterKind, PdeOperator, PdeTerm, STANDARD_COEFFICIENTS};
-use crate::syntax::ast::{Document, Expression, Kind, Name, PdeStatement};
+use crate::syntax::ast::{Expression, Kind, Name, PdeStatement, Tree};
 
-/// Resolves the equation; coefficients that are constant become parameters.
+/// Resolves the equation; coefficients that are constant become parameters, those of a patch's own equation under the
+/// patch's name: `cap.gamma`.
 pub fn resolve(
-    document: &Document,
-    graph: &mut Graph,
-    scope: &Scope,
+    statement: Option<&PdeStatement>,
+    patch: Option<&str>,
+    scope: &Scope<'_>,
     parameters: &mut Vec<Parameter>,
-    limits: &Limits,
-) -> Result<PdeOperator, Diagnostics> {
-    let statement = match document.equations.as_slice() {
-        [] => None,
-        [only] => Some(only),
-        [first, second, ..] => {
-            return Err(vec![
-                Diagnostic::new(Code::DuplicateStatement, "the equation is stated twice")
-                    .at(second.span)
-                    .label(first.span, "first stated here"),
-            ]);
-        }
-    };
-    let mut scope = scope.clone();
+    reading: &mut Reading<'_>,
+) -> Option<PdeOperator> {
+    let found_before = reading.found.len();
+    let mut scope = scope.inner();
     let stated = statement.map_or(&[][..], |statement| statement.coefficients.as_slice());
-    let mut found = Diagnostics::new();
+    let first_own = parameters.len();
     let is_standard = statement.is_none_or(|statement| statement.sides.is_none());
     if is_standard {
-        found.extend(
-            stated.iter().filter(|(name, _)| !is_standard_name(&name.text)).map(|(name, _)| not_standard(name)),
-        );
+        for (name, _) in stated.iter().filter(|(name, _)| !is_standard_name(&name.text)) {
+            reading.report(not_standard(name));
+        }
         for (name, _, default) in STANDARD_COEFFICIENTS {
             if stated.iter().all(|(stated, _)| stated.text != name) {
-                match default_coefficient(graph, &scope, name, default, document) {
-                    Ok(parameter) => parameters.push(parameter),
-                    Err(finding) => found.push(finding),
-                }
+                let value = reading.graph.integer(default);
+                let parameter = parameter(&mut reading.graph, patch, name, value);
+                let declared = declare_default(&parameter, name, &mut scope, reading);
+                parameters.extend(reading.keep(declared).map(|()| parameter));
             }
         }
     }
     for (name, value) in stated {
-        let outer = scope.clone();
-        let mut lowering = Lowering { tree: &document.tree, graph, scope: &outer, limits };
-        match lowering.value(*value).and_then(|value| coefficient(&mut lowering, name, value)) {
-            Ok((meaning, parameter)) => {
-                if let Some(parameter) = parameter {
-                    let origin = Some(document.tree.span(*value));
-                    parameters.push(Parameter { origin, ..parameter });
-                }
-                found.extend(scope.declare(name, meaning).err());
+        let mut lowering = reading.lowering(&scope);
+        let lowered = lowering.value(*value).and_then(|value| Ok(coefficient(&mut lowering, patch, name, value)?));
+        let meaning = match reading.keep(lowered) {
+            Some((meaning, parameter)) => {
+                let origin = Some(reading.tree.span(*value));
+                parameters.extend(parameter.map(|parameter| Parameter { origin, ..parameter }));
+                meaning
             }
-            Err(finding) => found.push(finding),
-        }
-    }
-    if !found.is_empty() {
-        return Err(found);
+            None => Meaning::Faulty,
+        };
+        let declared = scope.declare(name, meaning);
+        reading.keep(declared);
     }
     let operator = match statement.and_then(|statement| statement.sides.map(|sides| (statement, sides))) {
-        None => Ok(standard(graph, &scope, stated, statement)),
+        None => Some(standard(&mut reading.graph, &scope, statement)),
         Some((statement, sides)) => {
-            let mut lowering = Lowering { tree: &document.tree, graph, scope: &scope, limits };
-            text_equation(&mut lowering, statement, sides)
+            let operator = text_equation(&mut reading.lowering(&scope), statement, sides);
+            reading.keep(operator)
         }
     };
-    let operator = operator.map_err(|finding| vec![finding])?;
-    let used = sides_of(statement).map(|sides| used_names(graph, parameters, document, sides));
-    let is_used = |name: &str| used.as_ref().is_none_or(|used| used.contains(name));
-    let unused = stated.iter().filter(|(name, _)| !is_used(&name.text));
-    let unused: Diagnostics = unused.map(|(name, _)| unused_coefficient(name)).collect();
-    if unused.is_empty() { Ok(operator) } else { Err(unused) }
-}
-
-/// The standard equation; a stated coefficient that is a vector or depends on u, v or t stands for itself.
-fn standard(
-    graph: &mut Graph,
-    scope: &Scope,
-    stated: &[(Name, Expression)],
-    statement: Option<&PdeStatement>,
-) -> PdeOperator {
-    let mut operator = PdeOperator::standard(graph);
-    operator.origin = statement.map(|statement| statement.span);
-    for (name, derivative, _) in STANDARD_COEFFICIENTS {
-        let is_stated = stated.iter().any(|(stated, _)| stated.text == name);
-        let term = operator.terms.iter_mut().find(|term| term.derivative == derivative);
-        if let (true, Some(Meaning::Value(value)), Some(term)) = (is_stated, scope.meaning(name), term) {
-            term.coefficient = components(*value);
+    if reading.found.len() > found_before {
+        return None;
+    }
+    if let Some(sides) = statement.and_then(|statement| statement.sides) {
+        let own = parameters.get(first_own..).unwrap_or_default();
+        let used = used_names(&reading.graph, own, reading.tree, sides);
+        for (name, _) in stated.iter().filter(|(name, _)| {
+            !used.contains(&name.text) && !used.contains(&parameter_name(patch, &name.text))
+        }) {
+            reading.report(unused_coefficient(name));
         }
     }
     operator
 }
 
-fn sides_of(statement: Option<&PdeStatement>) -> Option<[Expression; 2]> {
-    statement.and_then(|statement| statement.sides)
+/// The standard equation with the coefficients that `scope` knows.
+fn standard(graph: &mut Graph, scope: &Scope<'_>, statement: Option<&PdeStatement>) -> PdeOperator {
+    let mut operator = PdeOperator::standard(graph);
+    operator.origin = statement.map(|statement| statement.span);
+    for (name, derivative, _) in STANDARD_COEFFICIENTS {
+        let term = operator.terms.iter_mut().find(|term| term.derivative == derivative);
+        match (scope.meaning(name), term) {
+            (Some(Meaning::Value(value)), Some(term)) => term.coefficient = components(*value),
+            (Some(Meaning::Parameter(symbol)), Some(term)) => term.coefficient = [*symbol; 3],
+            _ => {}
+        }
+    }
+    operator
 }
 
 fn is_standard_name(name: &str) -> bool {
@@ -118,15 +105,10 @@ fn unused_coefficient(name: &Name) -> Diagnostic {
 }
 
 /// The names that the equation uses, and those that a coefficient uses: `with a = 2, b = a^2`.
-fn used_names(
-    graph: &Graph,
-    parameters: &[Parameter],
-    document: &Document,
-    sides: [Expression; 2],
-) -> FxHashSet<String> {
-    let parts = sides.iter().flat_map(|side| document.tree.parts(*side));
+fn used_names(graph: &Graph, parameters: &[Parameter], tree: &Tree, sides: [Expression; 2]) -> FxHashSet<String> {
+    let parts = sides.iter().flat_map(|side| tree.parts(*side));
     let mut used: FxHashSet<String> = parts
-        .filter_map(|part| match &document.tree.node(part).kind {
+        .filter_map(|part| match &tree.node(part).kind {
             Kind::Name(found) | Kind::Application(found, _) => Some(found.text.clone()),
             _ => None,
         })
@@ -140,58 +122,56 @@ fn used_names(
     used
 }
 
-fn default_coefficient(
-    graph: &mut Graph,
-    scope: &Scope,
-    name: &str,
-    default: i64,
-    document: &Document,
-) -> Result<Parameter, Diagnostic> {
-    if scope.meaning(name).is_some() {
-        let declared = document.parameters.iter().map(|parameter| &parameter.name);
-        let declared = declared.chain(document.definitions.iter().map(|definition| &definition.name));
-        let finding = Diagnostic::new(
-            Code::DuplicateName,
-            format!("`{name}` is also the name of a coefficient of the standard equation, which this document uses"),
-        );
-        let finding = declared.filter(|found| found.text == name).fold(finding, |finding, name| finding.at(name.span));
-        return Err(
-            finding.hint(format!("rename it, or state the equation with `pde … = 0`, or say `pde with {name} = …`"))
-        );
-    }
-    let value = graph.integer(default);
-    Ok(Parameter {
-        symbol: graph.symbol_id(name),
-        name: name.to_owned(),
+/// What a coefficient is called among the parameters.
+fn parameter_name(patch: Option<&str>, name: &str) -> String {
+    patch.map_or_else(|| name.to_owned(), |patch| format!("{patch}.{name}"))
+}
+
+fn parameter(graph: &mut Graph, patch: Option<&str>, name: &str, value: ExprId) -> Parameter {
+    let name = parameter_name(patch, name);
+    let symbol = graph.symbol_id(&name);
+    Parameter {
+        symbol,
+        name,
         value,
         interval: None,
         kind: ParameterKind::Coefficient,
         origin: None,
         is_overridden: false,
-    })
+    }
+}
+
+fn declare_default(
+    parameter: &Parameter,
+    name: &str,
+    scope: &mut Scope<'_>,
+    reading: &mut Reading<'_>,
+) -> Result<(), Diagnostic> {
+    if scope.meaning(name).is_some() {
+        let message =
+            format!("`{name}` is also the name of a coefficient of the standard equation, which this document uses");
+        let finding = Diagnostic::new(Code::DuplicateName, message).at(scope.place(name));
+        return Err(
+            finding.hint(format!("rename it, or state the equation with `pde … = 0`, or say `pde with {name} = …`"))
+        );
+    }
+    let meaning = Meaning::Parameter(reading.graph.symbol_node(parameter.symbol));
+    scope.provide(name, meaning);
+    Ok(())
 }
 
 /// A constant becomes a parameter that can be changed; a function of u, v or t stands for itself.
 fn coefficient(
     lowering: &mut Lowering<'_>,
+    patch: Option<&str>,
     name: &Name,
     value: Value,
 ) -> Result<(Meaning, Option<Parameter>), Diagnostic> {
     lowering.scope.check_free(name)?;
     match value {
         Value::Scalar(expr) if lowering.graph.dependence(expr).is_constant() => {
-            let symbol = lowering.graph.symbol_id(&name.text);
-            let parameter = Parameter {
-                symbol,
-                name: name.text.clone(),
-                value: expr,
-                interval: None,
-                kind: ParameterKind::Coefficient,
-                origin: None,
-                is_overridden: false,
-            };
-            let meaning = Meaning::Value(Value::Scalar(lowering.graph.symbol_node(symbol)));
-            Ok((meaning, Some(parameter)))
+            let parameter = parameter(lowering.graph, patch, &name.text, expr);
+            Ok((Meaning::Parameter(lowering.graph.symbol_node(parameter.symbol)), Some(parameter)))
         }
         value => Ok((Meaning::Value(value), None)),
     }
@@ -202,7 +182,7 @@ fn text_equation(
     lowering: &mut Lowering<'_>,
     statement: &PdeStatement,
     [left, right]: [Expression; 2],
-) -> Result<PdeOperator, Diagnostic> {
+) -> Result<PdeOperator, Fault> {
     let (left_form, right_form) = (lowering.form(left)?, lowering.form(right)?);
     let mut terms: Vec<PdeTerm> = Vec::new();
     let signed =
@@ -224,12 +204,13 @@ fn text_equation(
     let force = force(lowering, (left, left_form.value), (right, right_form.value))?;
     let operator = PdeOperator { terms, force, origin: Some(statement.span) };
     if operator.terms.is_empty() {
-        return Err(Diagnostic::new(Code::NotLinear, "the equation does not contain S").at(statement.span));
+        return Err(Diagnostic::new(Code::NotLinear, "the equation does not contain S").at(statement.span).into());
     }
     if operator.order_in_u() == 0 {
         return Err(Diagnostic::new(Code::MissingEquationTerm, "the equation has no derivative in u")
             .at(statement.span)
-            .hint("u runs from one trimline to the other; without a derivative in u nothing joins them"));
+            .hint("u runs from one trimline to the other; without a derivative in u nothing joins them")
+            .into());
     }
     Ok(operator)
 }

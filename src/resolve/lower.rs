@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 
 use rustc_hash::FxHashMap;
 
+use super::reading::Fault;
 use super::scope::{Meaning, Scope, Value};
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::{Derivative, ExprId, Graph};
@@ -30,27 +31,31 @@ pub struct Lowering<'a> {
     /// Where they go.
     pub graph: &'a mut Graph,
     /// What names mean.
-    pub scope: &'a Scope,
+    pub scope: &'a Scope<'a>,
     /// Bounds on the graph.
     pub limits: &'a Limits,
 }
 
 impl Lowering<'_> {
     /// The form of `root`.
-    pub fn form(&mut self, root: Expression) -> Result<Form, Diagnostic> {
+    pub fn form(&mut self, root: Expression) -> Result<Form, Fault> {
+        let parts = self.tree.parts(root);
+        if parts.iter().any(|part| self.uses_faulty(*part)) {
+            return Err(Fault::Follows);
+        }
         let mut known: FxHashMap<Expression, Form> = FxHashMap::default();
-        for part in self.tree.parts(root) {
+        for part in parts {
             let form = self.part(part, &known)?;
             if self.graph.size() > self.limits.graph_nodes {
-                return Err(self.too_large(part));
+                return Err(self.too_large(part).into());
             }
             known.insert(part, form);
         }
-        known.remove(&root).ok_or_else(|| Diagnostic::new(Code::UnexpectedText, "nothing to read"))
+        Ok(known.remove(&root).ok_or_else(|| Diagnostic::new(Code::UnexpectedText, "nothing to read"))?)
     }
 
     /// The value of `root`, which must not contain S.
-    pub fn value(&mut self, root: Expression) -> Result<Value, Diagnostic> {
+    pub fn value(&mut self, root: Expression) -> Result<Value, Fault> {
         // Looked for first: lowering would judge S as part of an equation.
         let mut parts = self.tree.parts(root).into_iter();
         match parts.find(|part| matches!(self.tree.node(*part).kind, Kind::Unknown(_))) {
@@ -58,28 +63,38 @@ impl Lowering<'_> {
             Some(unknown) => {
                 let finding =
                     Diagnostic::new(Code::NotBoundaryData, "`S` is what is to be found, so it cannot stand here");
-                Err(finding.at(self.tree.span(unknown)))
+                Err(finding.at(self.tree.span(unknown)).into())
             }
         }
     }
 
     /// The value of `root`, which must be a number.
-    pub fn scalar(&mut self, root: Expression) -> Result<ExprId, Diagnostic> {
+    pub fn scalar(&mut self, root: Expression) -> Result<ExprId, Fault> {
         match self.value(root)? {
             Value::Scalar(value) => Ok(value),
-            Value::Vector(_) => Err(self.not_scalar(root)),
+            Value::Vector(_) => Err(self.not_scalar(root).into()),
         }
     }
 
     /// The value of `root`, which must be a number that depends on parameters alone.
-    pub fn constant(&mut self, root: Expression, what: &str) -> Result<ExprId, Diagnostic> {
+    pub fn constant(&mut self, root: Expression, what: &str) -> Result<ExprId, Fault> {
         let value = self.scalar(root)?;
         if self.graph.dependence(value).is_constant() {
             return Ok(value);
         }
         Err(Diagnostic::new(Code::NotConstant, format!("{what} must not depend on u, v or t"))
             .at(self.tree.span(root))
-            .hint("use numbers and params, or state it with `let`"))
+            .hint("use numbers and params, or state it with `let`")
+            .into())
+    }
+
+    fn uses_faulty(&self, part: Expression) -> bool {
+        match &self.tree.node(part).kind {
+            Kind::Name(name) | Kind::Application(name, _) => {
+                matches!(self.scope.meaning(&name.text), Some(Meaning::Faulty))
+            }
+            _ => false,
+        }
     }
 
     fn part(&mut self, part: Expression, known: &FxHashMap<Expression, Form>) -> Result<Form, Diagnostic> {
@@ -118,8 +133,8 @@ impl Lowering<'_> {
 
     fn name(&mut self, name: &Name) -> Result<Form, Diagnostic> {
         match self.scope.meaning(&name.text) {
-            Some(Meaning::Value(value)) => Ok(Form { value: *value, unknown: BTreeMap::new() }),
             Some(Meaning::Function(formals, _)) => Err(wrong_arity(&name.text, formals.len(), 0, name.span)),
+            Some(meaning) => Ok(Form { value: plain(meaning, name.span)?, unknown: BTreeMap::new() }),
             None => Err(self.scope.unknown_name(name)),
         }
     }
@@ -159,9 +174,9 @@ impl Lowering<'_> {
                 let value = self.map_value(body, |graph, expr| graph.substitute(expr, &replacements));
                 Ok(Form { value, unknown: BTreeMap::new() })
             }
-            Some(Meaning::Value(value)) => match arguments {
+            Some(meaning) => match arguments {
                 [only] => {
-                    let factor = Form { value, unknown: BTreeMap::new() };
+                    let factor = Form { value: plain(&meaning, span)?, unknown: BTreeMap::new() };
                     let other = known.get(only).cloned().ok_or_else(|| missing(span))?;
                     self.multiply(factor, other, span)
                 }
@@ -348,10 +363,9 @@ impl Lowering<'_> {
         known: &FxHashMap<Expression, Form>,
     ) -> Option<(Form, Expression)> {
         let Kind::Application(name, arguments) = &self.tree.node(expression).kind else { return None };
-        let (Some(Meaning::Value(value)), [only]) = (self.scope.meaning(&name.text), arguments.as_slice()) else {
-            return None;
-        };
-        known.get(only).map(|_| (Form { value: *value, unknown: BTreeMap::new() }, *only))
+        let (Some(meaning), [only]) = (self.scope.meaning(&name.text), arguments.as_slice()) else { return None };
+        let value = plain(meaning, name.span).ok()?;
+        known.get(only).map(|_| (Form { value, unknown: BTreeMap::new() }, *only))
     }
 
     fn scalars(
@@ -397,6 +411,15 @@ pub fn components(value: Value) -> [ExprId; 3] {
     match value {
         Value::Scalar(expr) => [expr; 3],
         Value::Vector(each) => each,
+    }
+}
+
+/// The value of a name that stands for one.
+fn plain(meaning: &Meaning, span: Span) -> Result<Value, Diagnostic> {
+    match meaning {
+        Meaning::Value(value) => Ok(*value),
+        Meaning::Parameter(symbol) => Ok(Value::Scalar(*symbol)),
+        Meaning::Function(..) | Meaning::Faulty => Err(missing(span)),
     }
 }
 

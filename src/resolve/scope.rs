@@ -19,45 +19,92 @@ pub enum Value {
 /// What a name stands for.
 #[derive(Debug, Clone)]
 pub enum Meaning {
-    /// A parameter, coordinate, constant or plain definition.
+    /// A coordinate, constant or plain definition.
     Value(Value),
+    /// A parameter, which no inner definition may hide.
+    Parameter(ExprId),
     /// A definition with arguments: the symbols of its arguments and its body.
     Function(Vec<ExprId>, Value),
+    /// A declaration that was found faulty; what uses it is not reported again.
+    Faulty,
 }
 
 /// Names longer than this are not compared with others: the cost grows with the product of their lengths.
 const COMPARED_BYTES: usize = 64;
 
-/// Names, each with its meaning and the place of its declaration.
-#[derive(Debug, Clone)]
-pub struct Scope {
+/// Names, each with its meaning and the place of its declaration, inside an outer scope.
+///
+/// An inner scope costs nothing to open, so a document of many definitions and patches is read in linear time.
+#[derive(Debug)]
+pub struct Scope<'a> {
+    outer: Option<&'a Scope<'a>>,
     names: FxHashMap<String, (Meaning, Option<Span>)>,
     // Kept in order of declaration, so that suggestions do not depend on a hash.
     order: Vec<String>,
+    /// How many more names may be declared.
     allowed: usize,
-    /// Names that every document knows, which do not count.
-    reserved: usize,
+    /// The limit, for the message.
+    limit: usize,
+    /// Whether a definition may hide one outside.
+    may_hide: bool,
 }
 
-impl Scope {
+impl<'a> Scope<'a> {
     /// The coordinates and constants every document knows.
-    pub fn new(graph: &mut Graph, limits: &Limits) -> Scope {
-        let mut scope = Scope { names: FxHashMap::default(), order: Vec::new(), allowed: limits.names, reserved: 0 };
+    pub fn new(graph: &mut Graph, limits: &Limits) -> Scope<'static> {
+        let mut scope = Scope {
+            outer: None,
+            names: FxHashMap::default(),
+            order: Vec::new(),
+            allowed: limits.names,
+            limit: limits.names,
+            may_hide: false,
+        };
         for variable in Variable::ALL {
             let value = graph.variable(variable);
-            scope.insert(variable.name(), Meaning::Value(Value::Scalar(value)), None);
+            scope.provide(variable.name(), Meaning::Value(Value::Scalar(value)));
         }
         for (name, constant) in [("pi", Constant::Pi), ("e", Constant::E)] {
             let value = graph.constant(constant);
-            scope.insert(name, Meaning::Value(Value::Scalar(value)), None);
+            scope.provide(name, Meaning::Value(Value::Scalar(value)));
         }
-        scope.reserved = scope.order.len();
         scope
+    }
+
+    /// An empty scope inside this one; what is declared there ends with it.
+    pub fn inner(&'a self) -> Scope<'a> {
+        Scope {
+            outer: Some(self),
+            names: FxHashMap::default(),
+            order: Vec::new(),
+            allowed: self.allowed,
+            limit: self.limit,
+            may_hide: false,
+        }
+    }
+
+    /// The scope of a patch, whose definitions may take the place of those outside.
+    pub fn of_patch(&'a self) -> Scope<'a> {
+        Scope { may_hide: true, ..self.inner() }
+    }
+
+    /// This scope and those around it, innermost first.
+    fn layers(&self) -> impl Iterator<Item = &Scope<'a>> {
+        std::iter::successors(Some(self), |scope| scope.outer)
+    }
+
+    fn entry(&self, name: &str) -> Option<&(Meaning, Option<Span>)> {
+        self.layers().find_map(|scope| scope.names.get(name))
     }
 
     /// What `name` stands for.
     pub fn meaning(&self, name: &str) -> Option<&Meaning> {
-        self.names.get(name).map(|(meaning, _)| meaning)
+        self.entry(name).map(|(meaning, _)| meaning)
+    }
+
+    /// Where `name` is declared; `None` for what every document knows.
+    pub fn place(&self, name: &str) -> Option<Span> {
+        self.entry(name).and_then(|(_, place)| *place)
     }
 
     /// Declares a name.
@@ -66,18 +113,29 @@ impl Scope {
     /// [`Code::DuplicateName`] if it is declared already or reserved; [`Code::LimitReached`] for too many.
     pub fn declare(&mut self, name: &Name, meaning: Meaning) -> Result<(), Diagnostic> {
         self.check_free(name)?;
-        if self.order.len() >= self.allowed.saturating_add(self.reserved) {
-            let message = format!("more names are declared than the limit `names` of {}", self.allowed);
+        if self.allowed == 0 {
+            let message = format!("more names are declared than the limit `names` of {}", self.limit);
             return Err(Diagnostic::new(Code::LimitReached, message).at(name.span));
         }
+        self.allowed -= 1;
         self.insert(&name.text, meaning, Some(name.span));
         Ok(())
+    }
+
+    /// Adds a name that no document writes down, so that it does not count among the declared ones.
+    pub fn provide(&mut self, name: &str, meaning: Meaning) {
+        self.insert(name, meaning, None);
     }
 
     /// Refuses a name that is taken.
     pub fn check_free(&self, name: &Name) -> Result<(), Diagnostic> {
         let text = &name.text;
-        match (self.names.get(text), text.as_str()) {
+        match (self.entry(text), text.as_str()) {
+            (Some((Meaning::Value(_) | Meaning::Function(..) | Meaning::Faulty, Some(_))), _)
+                if self.may_hide && !self.names.contains_key(text) =>
+            {
+                Ok(())
+            }
             (Some((_, Some(first))), _) => {
                 let finding = Diagnostic::new(Code::DuplicateName, format!("`{text}` is declared twice"));
                 Err(finding.at(name.span).label(*first, "first declared here").hint(format!(
@@ -129,25 +187,25 @@ impl Scope {
 
     /// `kv` as `k*v`, `sinv` as `sin(v)`, when all parts are known.
     fn as_product(&self, text: &str) -> Option<String> {
+        let is_known = |name: &str| self.entry(name).is_some();
         for function in Function::ALL {
             if let Some(argument) = text.strip_prefix(function.row().name)
-                && self.names.contains_key(argument)
+                && is_known(argument)
             {
                 return Some(format!("{}({argument})", function.row().name));
             }
         }
-        (1..text.len()).filter_map(|at| text.split_at_checked(at)).find_map(|(left, right)| {
-            (self.names.contains_key(left) && self.names.contains_key(right)).then(|| format!("{left}*{right}"))
-        })
+        (1..text.len())
+            .filter_map(|at| text.split_at_checked(at))
+            .find_map(|(left, right)| (is_known(left) && is_known(right)).then(|| format!("{left}*{right}")))
     }
 
     fn closest(&self, text: &str) -> Option<&str> {
         let functions =
             Function::ALL.iter().map(|function| function.row().name).filter(|name| Function::named(name).is_some());
         let names = self
-            .order
-            .iter()
-            .map(String::as_str)
+            .layers()
+            .flat_map(|scope| scope.order.iter().map(String::as_str))
             .filter(|name| (2..=COMPARED_BYTES).contains(&name.len()))
             .chain(functions);
         let distances = names.map(|name| (strsim::damerau_levenshtein(text, name), name));

@@ -10,6 +10,15 @@ pub struct Document {
     pub tree: Tree,
     /// Parameters, in source order.
     pub parameters: Vec<Parameter>,
+    /// What stands outside patch blocks: common to all of them or, without any, the document's one patch.
+    pub shared: Statements,
+    /// The patch blocks, in source order.
+    pub patches: Vec<PatchBlock>,
+}
+
+/// The statements that a patch may consist of.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Statements {
     /// Definitions (`let`), in source order.
     pub definitions: Vec<Definition>,
     /// `domain` entries.
@@ -20,6 +29,15 @@ pub struct Document {
     pub boundaries: Vec<Boundary>,
     /// `solve` statements; more than one is an error of the next stage.
     pub solves: Vec<SolveStatement>,
+}
+
+/// `patch NAME { … }`
+#[derive(Debug, Clone, PartialEq)]
+pub struct PatchBlock {
+    /// What the user calls the patch.
+    pub name: Name,
+    /// What the block states.
+    pub statements: Statements,
 }
 
 /// A name where it is declared or used, in its canonical spelling.

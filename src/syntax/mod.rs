@@ -13,7 +13,7 @@ mod statement;
 pub use ast::Document;
 pub use preflight::decode;
 
-use ast::{Expression, Tree};
+use ast::{Expression, Name, PatchBlock, Statements, Tree};
 use brackets::Brackets;
 use expression::Builder;
 use preflight::Prepared;
@@ -36,9 +36,12 @@ pub fn parse(source: &Source, limits: &Limits) -> Result<Document, Diagnostics> 
     }
     let mut document = Document::default();
     let mut found = Diagnostics::new();
+    let mut in_patch = false;
     for &line in &prepared.lines {
-        if let Err(finding) = add_line(&mut document, &prepared, line) {
+        if let Err(finding) = add_line(&mut document, &prepared, line, &mut in_patch) {
             found.push(finding);
+            // A block whose first line is faulty is still a block.
+            in_patch |= open_block(&mut document, &prepared, line);
             if found.len() >= MOST_FINDINGS {
                 break;
             }
@@ -47,13 +50,28 @@ pub fn parse(source: &Source, limits: &Limits) -> Result<Document, Diagnostics> 
     if found.is_empty() { Ok(document) } else { Err(found) }
 }
 
-fn add_line(document: &mut Document, prepared: &Prepared, line: Span) -> Result<(), Diagnostic> {
+fn add_line(
+    document: &mut Document,
+    prepared: &Prepared,
+    line: Span,
+    in_patch: &mut bool,
+) -> Result<(), Diagnostic> {
     let mut brackets = Brackets::read(prepared, line, &mut document.tree)?;
     let text = brackets::outermost(prepared, line);
     let pair = parser::line(&text, line.start)?;
     let mut builder =
         Builder { tree: &mut document.tree, brackets: &mut brackets, offset: line.start, source: &prepared.text };
-    builder.statement(pair)?.add_to(document)
+    builder.statement(pair)?.add_to(document, in_patch)
+}
+
+/// Opens a block without a name if `line` is the first of one.
+fn open_block(document: &mut Document, prepared: &Prepared, line: Span) -> bool {
+    let opens = prepared.blocks.contains(&line.end.saturating_sub(1));
+    if opens {
+        let name = Name { text: String::new(), span: line };
+        document.patches.push(PatchBlock { name, statements: Statements::default() });
+    }
+    opens
 }
 
 /// Parses a single expression, for example the value of a command-line option.

@@ -106,7 +106,9 @@ fn words(rule: Rule) -> Option<&'static str> {
         | Rule::kw_domain
         | Rule::kw_pde
         | Rule::kw_at
-        | Rule::kw_solve => "a statement (`param`, `let`, `domain`, `pde`, `at`, `solve`)",
+        | Rule::patch_line
+        | Rule::kw_patch
+        | Rule::kw_solve => "a statement (`param`, `let`, `domain`, `pde`, `at`, `solve`, `patch`)",
         Rule::kw_in => "`in`",
         Rule::kw_with => "`with`",
         Rule::equation => "an equation",
@@ -114,6 +116,7 @@ fn words(rule: Rule) -> Option<&'static str> {
         Rule::setting => "a setting such as `terms = 5`",
         Rule::setting_value | Rule::size | Rule::decimal | Rule::integer => "a value such as `5` or `11 x 11`",
         Rule::arguments | Rule::formals => "`(`",
+        Rule::block_begin => "`{`",
         Rule::add_operator | Rule::multiply_operator => "an operator",
         Rule::EOI => "the end",
         _ => return None,
@@ -130,10 +133,13 @@ fn advice(text: &str, at: usize) -> Option<String> {
     if ["∂²/∂", "∂/∂", "d2/d"].iter().any(|operator| text.contains(operator)) {
         return Some("operators in brackets are not read: write out each term, such as `∂⁴S/∂u²∂v²`".to_owned());
     }
-    for word in ["surface", "patch", "join", "curve"] {
+    for word in ["surface", "join", "curve"] {
         if text.strip_prefix(word).is_some_and(|tail| tail.starts_with([' ', '\t'])) {
             return Some(format!("`{word}` is reserved for a later version of the language"));
         }
+    }
+    if text.starts_with("patch ") && !text.ends_with('{') {
+        return Some("the statements of a patch stand in braces: `patch a {` … `}`".to_owned());
     }
     if text.starts_with("S") && rest.starts_with(':') {
         return Some("a boundary block begins with `at u = 0:`".to_owned());

@@ -10,7 +10,7 @@ use crate::expr::greek_letter;
 use crate::limits::Limits;
 
 /// Words that begin a statement and therefore end the one before.
-const STATEMENT_WORDS: &[&str] = &["param", "let", "domain", "pde", "at", "solve", "surface", "patch", "curve"];
+const STATEMENT_WORDS: &[&str] = &["param", "let", "domain", "pde", "at", "solve", "surface", "seam", "patch", "curve"];
 
 /// A text that is ready for the grammar.
 pub struct Prepared {
@@ -20,6 +20,24 @@ pub struct Prepared {
     pub lines: Vec<Span>,
     /// Offsets of `(` or `[` and of what closes it, innermost first.
     pub brackets: Vec<(usize, usize)>,
+    /// Offsets of the `{` of patch blocks.
+    pub blocks: Vec<usize>,
+}
+
+/// What is open at a place of the text.
+#[derive(Default)]
+struct Open {
+    /// Brackets and a patch block's brace, outermost first.
+    brackets: Vec<(char, usize)>,
+    /// Whether the outermost is a patch block's brace.
+    in_block: bool,
+}
+
+impl Open {
+    /// Whether a bracket is open within the statement, so that it goes on after a line break.
+    fn is_inside(&self) -> bool {
+        self.brackets.len() > usize::from(self.in_block)
+    }
 }
 
 /// Reads bytes as a named text.
@@ -59,17 +77,23 @@ pub fn prepare(source: &Source, limits: &Limits) -> Result<Prepared, Diagnostics
     check_size(source.text.len(), limits).map_err(|finding| vec![finding])?;
     let mut found = Diagnostics::new();
     let mut bytes = source.text.clone().into_bytes();
-    let mut open: Vec<(char, usize)> = Vec::new();
-    let mut brackets = Vec::new();
+    let mut open = Open::default();
+    let (mut brackets, mut blocks, mut breaks) = (Vec::new(), Vec::new(), Vec::new());
     let mut in_comment = false;
+    // Where the statement began, once it has.
+    let mut statement: Option<usize> = None;
     for (at, letter) in source.text.char_indices() {
+        let rest = source.text.get(at..).unwrap_or("");
         if letter == '\n' {
             in_comment = false;
-            if !open.is_empty() && starts_statement(source.text.get(at + 1..).unwrap_or("")) {
-                found.extend(open.drain(..).map(|(bracket, at)| not_closed(bracket, at)));
+            if open.is_inside() && starts_statement(rest.get(1..).unwrap_or("")) {
+                let inside = open.brackets.drain(usize::from(open.in_block)..);
+                found.extend(inside.map(|(bracket, at)| not_closed(bracket, at)));
             }
-            if !open.is_empty() {
+            if open.is_inside() {
                 blank(&mut bytes, at, letter);
+            } else if !is_block_ahead(rest) {
+                statement = None;
             }
             continue;
         }
@@ -78,24 +102,52 @@ pub fn prepare(source: &Source, limits: &Limits) -> Result<Prepared, Diagnostics
             blank(&mut bytes, at, letter);
             continue;
         }
+        if !letter.is_whitespace() {
+            statement.get_or_insert(at);
+        }
         match letter {
+            '{' if !open.is_inside() && opens_block(&source.text, statement, at) => {
+                if open.in_block {
+                    found.push(nested_block(statement.unwrap_or(at), at));
+                    open.brackets.clear();
+                }
+                open.brackets.push((letter, at));
+                open.in_block = true;
+                blocks.push(at);
+                breaks.push(at + 1);
+                statement = None;
+            }
             '(' | '[' | '{' => {
-                open.push((letter, at));
-                if open.len() > limits.nesting {
+                open.brackets.push((letter, at));
+                if open.brackets.len() > limits.nesting {
                     return Err(vec![too_deep(at, limits.nesting)]);
                 }
             }
-            ')' | ']' | '}' => match close(&mut open, letter, at) {
-                Ok(start) if letter != '}' => brackets.push((start, at)),
-                Ok(_) => {}
-                Err(finding) => found.push(finding),
-            },
+            ')' | ']' | '}' => {
+                let ends_block = letter == '}' && open.in_block && !open.is_inside();
+                match close(&mut open.brackets, letter, at) {
+                    Ok(start) if letter != '}' => brackets.push((start, at)),
+                    Ok(_) => {}
+                    Err(finding) => found.push(finding),
+                }
+                open.in_block &= !open.brackets.is_empty();
+                if ends_block {
+                    breaks.extend([at, at + 1]);
+                    statement = None;
+                }
+            }
+            // Ends a statement, as a line break does.
+            ';' if !open.is_inside() => {
+                blank(&mut bytes, at, letter);
+                breaks.push(at + 1);
+                statement = None;
+            }
             // A byte order mark at the start is a habit of editors, not a fault.
             '\u{feff}' if at == 0 => blank(&mut bytes, at, letter),
             _ => found.extend(suspicious(letter, at)),
         }
     }
-    found.extend(open.into_iter().map(|(bracket, at)| not_closed(bracket, at)));
+    found.extend(open.brackets.into_iter().map(|(bracket, at)| not_closed(bracket, at)));
     if !found.is_empty() {
         found.sort_by_key(|finding| finding.span);
         found.truncate(MOST_FINDINGS);
@@ -103,8 +155,26 @@ pub fn prepare(source: &Source, limits: &Limits) -> Result<Prepared, Diagnostics
     }
     // Whole characters were replaced by as many blanks as they had bytes, so the text is still UTF-8.
     let text = String::from_utf8(bytes).unwrap_or_default();
-    let lines = logical_lines(&text);
-    Ok(Prepared { text, lines, brackets })
+    let lines = logical_lines(&text, &breaks);
+    Ok(Prepared { text, lines, brackets, blocks })
+}
+
+/// Whether the `{` at `at` opens the block of the statement that began at `statement`: `patch NAME {`.
+fn opens_block(text: &str, statement: Option<usize>, at: usize) -> bool {
+    let before = statement.and_then(|start| text.get(start..at)).unwrap_or("");
+    // The brace of a subscript stands behind its underscore.
+    begins_with_word(before, "patch") && !before.ends_with('_')
+}
+
+/// Whether the line after a line break begins with a brace: `patch NAME` on one line, `{` on the next.
+fn is_block_ahead(rest: &str) -> bool {
+    rest.get(1..).and_then(|next| next.split('\n').next()).is_some_and(|line| line.trim_start().starts_with('{'))
+}
+
+fn nested_block(start: usize, at: usize) -> Diagnostic {
+    Diagnostic::new(Code::UnexpectedText, "a patch stands inside another patch")
+        .at(Span::new(start, at + 1))
+        .hint("close the one before with `}`")
 }
 
 fn blank(bytes: &mut [u8], at: usize, letter: char) {
@@ -169,35 +239,47 @@ fn suspicious(letter: char, at: usize) -> Option<Diagnostic> {
 fn starts_statement(text: &str) -> bool {
     // Only this line: blank ones after it would be read again at each of them.
     let line = text.split('\n').next().unwrap_or("").trim_start();
-    STATEMENT_WORDS.iter().any(|word| {
-        line.strip_prefix(word).is_some_and(|rest| rest.starts_with(|c: char| c.is_whitespace()) || rest.is_empty())
-    })
+    STATEMENT_WORDS.iter().any(|word| begins_with_word(line, word))
 }
 
-/// Splits at line breaks, except where a line plainly continues the one before: it begins with an operator
-/// or `with`, or the one before ends with an operator or a comma and no statement begins.
-fn logical_lines(text: &str) -> Vec<Span> {
+fn begins_with_word(line: &str, word: &str) -> bool {
+    line.strip_prefix(word).is_some_and(|rest| rest.is_empty() || rest.starts_with(char::is_whitespace))
+}
+
+/// Splits at line breaks, except where a line plainly continues the one before: it begins with an operator,
+/// `with` or the brace of a block, or the one before ends with an operator or a comma and no statement begins.
+/// Offsets in `breaks` always split.
+fn logical_lines(text: &str, breaks: &[usize]) -> Vec<Span> {
     let mut lines: Vec<Span> = Vec::new();
+    let mut may_continue = false;
+    let mut breaks = breaks.iter().copied().peekable();
     let mut start = 0;
     for physical in text.split_inclusive('\n') {
-        let content = physical.trim();
-        let begin = start + (physical.len() - physical.trim_start().len());
-        let span = Span::new(begin, begin + content.len());
-        start += physical.len();
-        if content.is_empty() {
-            continue;
-        }
-        let before = lines.last().and_then(|last| text.get(last.start..last.end)).unwrap_or("");
-        match lines.last_mut() {
-            Some(last) if continues(before, content) => last.end = span.end,
-            _ => lines.push(span),
+        let end = start + physical.len();
+        while start < end {
+            let cut = breaks.next_if(|cut| *cut <= end);
+            let piece_end = cut.unwrap_or(end);
+            let piece = text.get(start..piece_end).unwrap_or("");
+            let content = piece.trim();
+            if !content.is_empty() {
+                let begin = start + (piece.len() - piece.trim_start().len());
+                let span = Span::new(begin, begin + content.len());
+                let before = lines.last().and_then(|last| text.get(last.start..last.end)).unwrap_or("");
+                match lines.last_mut() {
+                    Some(last) if may_continue && continues(before, content) => last.end = span.end,
+                    _ => lines.push(span),
+                }
+                may_continue = true;
+            }
+            may_continue &= cut.is_none();
+            start = piece_end;
         }
     }
     lines
 }
 
 fn continues(before: &str, line: &str) -> bool {
-    const LEADING: &[char] = &['+', '-', '−', '–', '*', '/', '·', '×', '÷', '=', '^'];
+    const LEADING: &[char] = &['+', '-', '−', '–', '*', '/', '·', '×', '÷', '=', '^', '{'];
     const TRAILING: &[char] = &['+', '-', '−', '–', '*', '/', '·', '×', '÷', '=', '^', ','];
     let leads =
         line.starts_with(LEADING) || line.strip_prefix("with").is_some_and(|rest| rest.starts_with([' ', '\t']));

@@ -1,8 +1,8 @@
 //! Parsed lines to statements of the [`Document`].
 
 use super::ast::{
-    Boundary, Constraint, Definition, Document, Expression, Kind, Name, Parameter, PdeStatement, Range, Setting,
-    SolveStatement, Unknown,
+    Boundary, Constraint, Definition, Document, Expression, Kind, Name, Parameter, PatchBlock, PdeStatement, Range,
+    Setting, SolveStatement, Statements, Unknown,
 };
 use super::expression::Builder;
 use super::parser::{Parsed, Rule};
@@ -25,19 +25,32 @@ pub enum Statement {
     Constraints(Vec<Constraint>),
     /// `solve …`
     Solve(SolveStatement),
+    /// `patch NAME {`
+    PatchBegins(Name),
+    /// `}`
+    PatchEnds,
 }
 
 impl Statement {
-    /// Adds the statement to `document`.
-    pub fn add_to(self, document: &mut Document) -> Result<(), Diagnostic> {
+    /// Adds the statement to `document`: to its last patch while `in_patch`, which blocks open and close.
+    pub fn add_to(self, document: &mut Document, in_patch: &mut bool) -> Result<(), Diagnostic> {
+        let section = match document.patches.last_mut() {
+            Some(block) if *in_patch => &mut block.statements,
+            _ => &mut document.shared,
+        };
         match self {
-            Statement::Parameters(parameters) => document.parameters.extend(parameters),
-            Statement::Definitions(definitions) => document.definitions.extend(definitions),
-            Statement::Ranges(ranges) => document.ranges.extend(ranges),
-            Statement::Equation(equation) => document.equations.push(equation),
-            Statement::Boundary(boundary) => document.boundaries.push(boundary),
-            Statement::Solve(solve) => document.solves.push(solve),
-            Statement::Constraints(constraints) => match document.boundaries.last_mut() {
+            Statement::Parameters(parameters) => {
+                if let (true, Some(first)) = (*in_patch, parameters.first()) {
+                    return Err(shared_only("param", &first.name));
+                }
+                document.parameters.extend(parameters);
+            }
+            Statement::Definitions(definitions) => section.definitions.extend(definitions),
+            Statement::Ranges(ranges) => section.ranges.extend(ranges),
+            Statement::Equation(equation) => section.equations.push(equation),
+            Statement::Boundary(boundary) => section.boundaries.push(boundary),
+            Statement::Solve(solve) => section.solves.push(solve),
+            Statement::Constraints(constraints) => match section.boundaries.last_mut() {
                 Some(boundary) => boundary.constraints.extend(constraints),
                 None => {
                     let finding = Diagnostic::new(Code::UnexpectedText, "a constraint stands outside a boundary block")
@@ -48,9 +61,20 @@ impl Statement {
                     });
                 }
             },
+            Statement::PatchBegins(name) => {
+                document.patches.push(PatchBlock { name, statements: Statements::default() });
+                *in_patch = true;
+            }
+            Statement::PatchEnds => *in_patch = false,
         }
         Ok(())
     }
+}
+
+fn shared_only(what: &str, name: &Name) -> Diagnostic {
+    Diagnostic::new(Code::UnexpectedText, format!("a {what} belongs to all patches, so it cannot stand inside one"))
+        .at(name.span)
+        .hint(format!("declare it before the patches, or write `let {} = …` here", name.text))
 }
 
 impl Builder<'_> {
@@ -107,6 +131,8 @@ impl Builder<'_> {
             }
             Rule::constraints => Statement::Constraints(self.constraints(parts)?),
             Rule::solve_line => Statement::Solve(self.solve(parts)?),
+            Rule::patch_line => Statement::PatchBegins(self.take_name(&mut parts.into_iter())?),
+            Rule::patch_end => Statement::PatchEnds,
             _ => return Err(internal()),
         })
     }

@@ -25,7 +25,7 @@ pub struct Arguments {
     #[command(flatten)]
     solving: Solving,
 
-    /// A CSV file with a header that names u, v and, if needed, t, or `-`; a value such as `11x11:ends` sets the
+    /// A CSV file with a header that names u, v and, if needed, t and patch, or `-`; a value such as `11x11:ends` sets the
     /// collocation grid instead (write `./11x11` for a file of that name).
     #[arg(long, required = true, value_name = "FILE|LxM[:KIND]")]
     points: Vec<String>,
@@ -39,10 +39,11 @@ pub struct Arguments {
     output: Option<std::path::PathBuf>,
 }
 
-/// The input: its header, its rows, and the point of each row.
+/// The input: its header, its rows, and patch and point of each row.
 struct Table {
     header: csv::StringRecord,
     rows: Vec<csv::StringRecord>,
+    patches: Vec<usize>,
     points: Vec<[f64; 3]>,
 }
 
@@ -52,14 +53,14 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
         return Err(Failure::Usage("the spec and the points cannot both come from standard input".to_owned()));
     }
     let spec = Spec::read(&arguments.spec, &arguments.solving.reading)?;
-    let [patch] = spec.patches.as_slice() else {
-        return Err(Failure::Usage("name the patch to evaluate with --patch".to_owned()));
-    };
     let derivatives = read_derivatives(&arguments.derivatives, spec.limits.derivative_order)?;
-    let patched = spec.prepare(patch, &arguments.solving, grid)?;
-    let default_time = patched.instant(arguments.solving.time)?;
-    let table = read_table(file, default_time, &patched, spec.limits.samples)?;
-    let values = evaluate(&spec, &patched, &table.points, &derivatives, terminal)?;
+    let patched: Vec<Patched> = spec
+        .patches
+        .iter()
+        .map(|patch| spec.prepare(patch, &arguments.solving, grid))
+        .collect::<Result<_, _>>()?;
+    let table = read_table(file, arguments.solving.time, &patched, spec.limits.samples)?;
+    let values = evaluate(&spec, &patched, &table, &derivatives, terminal)?;
     let text = write_table(&table, &derivatives, &values)?;
     match &arguments.output {
         None => output::print(&text),
@@ -102,7 +103,7 @@ fn read_derivatives(names: &[String], highest: usize) -> Result<Vec<Derivative>,
     names.iter().map(read).collect()
 }
 
-fn read_table(file: &str, default_time: f64, patched: &Patched, allowed: usize) -> Result<Table, Failure> {
+fn read_table(file: &str, time: Option<f64>, patched: &[Patched], allowed: usize) -> Result<Table, Failure> {
     let shown = if file == "-" { "standard input" } else { file };
     let unreadable = |error: &dyn std::fmt::Display| Failure::Usage(format!("cannot read `{shown}`: {error}"));
     let input: Box<dyn Read> = if file == "-" {
@@ -125,8 +126,14 @@ fn read_table(file: &str, default_time: f64, patched: &Patched, allowed: usize) 
     };
     let required = |name: &str| column(name)?.ok_or_else(|| bad(format!("the header names no column `{name}`")));
     let columns = [Some(required("u")?), Some(required("v")?), column("t")?];
-    let ranges = [patched.prepared.domain.u, patched.prepared.domain.v, patched.prepared.domain.t];
-    let (mut rows, mut points) = (Vec::new(), Vec::new());
+    let names: Vec<&str> = patched.iter().map(|patch| patch.prepared.patch().name.as_str()).collect();
+    let patch_column = if names.len() == 1 { None } else { column("patch")? };
+    if names.len() != 1 && patch_column.is_none() {
+        let message = format!("the spec has the patches {}", names.join(", "));
+        return Err(Failure::Usage(format!("{message}: choose one with --patch, or give the points a column `patch`")));
+    }
+    let times = patched.iter().map(|patch| patch.instant(time)).collect::<Result<Vec<f64>, _>>()?;
+    let (mut rows, mut patches, mut points) = (Vec::new(), Vec::new(), Vec::new());
     for record in reader.records() {
         let record = record.map_err(|error| bad(error.to_string()))?;
         let line = record.position().map_or(0, csv::Position::line);
@@ -134,7 +141,16 @@ fn read_table(file: &str, default_time: f64, patched: &Patched, allowed: usize) 
             let message = format!("more points than the limit `samples` of {allowed}");
             return Err(Failure::Found { source: None, findings: vec![Diagnostic::new(Code::LimitReached, message)] });
         }
-        let mut point = [0.0, 0.0, default_time];
+        let name = patch_column.and_then(|column| record.get(column));
+        let index = match name {
+            None => 0,
+            Some(name) => names.iter().position(|known| *known == name).ok_or_else(|| {
+                bad(format!("line {line}: there is no patch `{name}`; patches: {}", names.join(", ")))
+            })?,
+        };
+        let Some((patch, time)) = patched.get(index).zip(times.get(index)) else { continue };
+        let ranges = [patch.prepared.domain.u, patch.prepared.domain.v, patch.prepared.domain.t];
+        let mut point = [0.0, 0.0, *time];
         for (((coordinate, column), name), [low, high]) in
             point.iter_mut().zip(columns).zip(["u", "v", "t"]).zip(ranges)
         {
@@ -151,29 +167,33 @@ fn read_table(file: &str, default_time: f64, patched: &Patched, allowed: usize) 
             }
         }
         rows.push(record);
+        patches.push(index);
         points.push(point);
     }
-    Ok(Table { header, rows, points })
+    Ok(Table { header, rows, patches, points })
 }
 
-/// Positions, then each derivative, at every point; solved once for each distinct instant.
+/// Positions, then each derivative, at every point; each patch is solved once for each distinct instant.
 fn evaluate(
     spec: &Spec,
-    patched: &Patched,
-    points: &[[f64; 3]],
+    patched: &[Patched],
+    table: &Table,
     derivatives: &[Derivative],
     terminal: &Terminal,
 ) -> Result<Vec<Vec<[f64; 3]>>, Failure> {
     let wanted: Vec<Derivative> = std::iter::once(Derivative::NONE).chain(derivatives.iter().copied()).collect();
+    let points = &table.points;
     let mut results = vec![vec![[0.0; 3]; points.len()]; wanted.len()];
-    // Keyed by bits: equal instants are one, and the order is that of their first use.
-    let mut instants: BTreeMap<u64, Vec<usize>> = BTreeMap::new();
-    for (index, [_, _, t]) in points.iter().enumerate() {
-        instants.entry((t + 0.0).to_bits()).or_default().push(index);
+    // Keyed by bits: equal instants are one.
+    let mut instants: BTreeMap<(usize, u64), Vec<usize>> = BTreeMap::new();
+    for (index, (patch, [_, _, t])) in table.patches.iter().zip(points).enumerate() {
+        instants.entry((*patch, (t + 0.0).to_bits())).or_default().push(index);
     }
-    for (number, (bits, indices)) in instants.iter().enumerate() {
+    let mut last_patch = None;
+    for ((patch, bits), indices) in &instants {
+        let Some(patched) = patched.get(*patch) else { continue };
         let solved = spec.solve(patched, f64::from_bits(*bits))?;
-        if number == 0 {
+        if last_patch.replace(patch) != Some(patch) {
             print_warnings(&solved.solution.report.warnings, &spec.source, terminal);
         }
         let here: Vec<[f64; 3]> =

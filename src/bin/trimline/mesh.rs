@@ -14,7 +14,7 @@ use crate::Outcome;
 use crate::failure::{Failure, print_warnings, say};
 use crate::options::{Collocation, Solving, Terminal, option_finding, read_grid};
 use crate::output::Files;
-use crate::workflow::{Patched, Spec};
+use crate::workflow::{Patched, Spec, common_times};
 
 #[derive(Args)]
 pub struct Arguments {
@@ -95,14 +95,21 @@ fn format_of(path: &Path) -> Result<Format, Failure> {
     })
 }
 
+/// The instants to mesh: at all of them every patch has a shape.
 fn times(arguments: &Arguments, spec: &Spec, patched: &[Patched]) -> Result<Vec<f64>, Failure> {
-    let Some(first) = patched.first() else {
-        let finding = Diagnostic::new(Code::EmptyDocument, "there is no patch to mesh");
-        return Err(spec.fault(finding));
-    };
+    let range = common_times(patched).ok_or_else(|| {
+        let finding = Diagnostic::new(Code::EmptyDomain, "no instant lies in the time domain of every patch");
+        spec.fault(finding.hint("choose patches with --patch, or state one `domain t in [..]` for all"))
+    })?;
     match arguments.frames {
-        None => Ok(vec![first.instant(arguments.solving.time)?]),
-        Some(frames) => instants(first.prepared.domain.t, frames, &spec.limits)
+        None => match arguments.solving.time {
+            None => Ok(vec![range[0]]),
+            time => {
+                let times: Vec<f64> = patched.iter().map(|patch| patch.instant(time)).collect::<Result<_, _>>()?;
+                Ok(times.into_iter().take(1).collect())
+            }
+        },
+        Some(frames) => instants(range, frames, &spec.limits)
             .map_err(|finding| option_finding("frames", &frames.to_string(), finding)),
     }
 }

@@ -119,6 +119,12 @@ impl Patched {
     }
 }
 
+/// The instants that lie in the time domain of every patch.
+pub fn common_times(patched: &[Patched]) -> Option<[f64; 2]> {
+    let ranges = patched.iter().map(|patch| patch.prepared.domain.t);
+    ranges.reduce(|[a, b], [c, d]| [a.max(c), b.min(d)]).filter(|[start, end]| start <= end)
+}
+
 fn read_bytes(path: &str, limits: &Limits) -> Result<(String, Vec<u8>), Failure> {
     // One byte more than allowed is enough to see that there is too much.
     let allowed = u64::try_from(limits.source_bytes).unwrap_or(u64::MAX).saturating_add(1);

@@ -1,0 +1,75 @@
+//! Params and definitions to their meanings.
+
+use super::reading::Reading;
+use super::scope::{Meaning, Scope, Value};
+use crate::expr::ExprId;
+use crate::problem::{Parameter, ParameterKind};
+use crate::syntax::ast;
+
+/// Declares every param; one with a faulty value is declared as faulty, so that its uses are not reported too.
+pub fn parameters(declared: &[ast::Parameter], scope: &mut Scope<'_>, reading: &mut Reading<'_>) -> Vec<Parameter> {
+    let mut parameters = Vec::with_capacity(declared.len());
+    for param in declared {
+        if reading.is_over {
+            break;
+        }
+        let what = format!("the param `{}`", param.name.text);
+        let value = reading.lowering(scope).constant(param.value, &what);
+        let value = reading.keep(value);
+        let interval = param.interval.map(|ends| {
+            ends.map(|end| {
+                let end = reading.lowering(scope).constant(end, "the range of a param");
+                reading.keep(end)
+            })
+        });
+        let interval = match interval {
+            Some([Some(low), Some(high)]) => Some([low, high]),
+            _ => None,
+        };
+        let symbol = reading.graph.symbol_id(&param.name.text);
+        let meaning = match value {
+            Some(_) => Meaning::Parameter(reading.graph.symbol_node(symbol)),
+            None => Meaning::Faulty,
+        };
+        let is_declared = scope.declare(&param.name, meaning);
+        let is_declared = reading.keep(is_declared).is_some();
+        if let (Some(value), true) = (value, is_declared) {
+            parameters.push(Parameter {
+                symbol,
+                name: param.name.text.clone(),
+                value,
+                interval,
+                kind: ParameterKind::Parameter,
+                origin: Some(reading.tree.span(param.value)),
+                is_overridden: false,
+            });
+        }
+    }
+    parameters
+}
+
+/// Declares every definition in `scope`.
+pub fn definitions(definitions: &[ast::Definition], scope: &mut Scope<'_>, reading: &mut Reading<'_>) {
+    for definition in definitions {
+        if reading.is_over {
+            return;
+        }
+        let mut local = scope.inner();
+        let mut formals: Vec<ExprId> = Vec::with_capacity(definition.formals.len());
+        for formal in &definition.formals {
+            // A space cannot occur in a name, so an argument never meets a param.
+            let symbol = reading.graph.symbol(&format!("{} of {}", formal.text, definition.name.text));
+            let is_declared = local.declare(formal, Meaning::Value(Value::Scalar(symbol)));
+            reading.keep(is_declared);
+            formals.push(symbol);
+        }
+        let value = reading.lowering(&local).value(definition.value);
+        let meaning = match reading.keep(value) {
+            None => Meaning::Faulty,
+            Some(value) if formals.is_empty() => Meaning::Value(value),
+            Some(value) => Meaning::Function(formals, value),
+        };
+        let is_declared = scope.declare(&definition.name, meaning);
+        reading.keep(is_declared);
+    }
+}

@@ -1,0 +1,198 @@
+//! Patch blocks, and what they share, to patches.
+
+use super::boundary;
+use super::declarations;
+use super::equation;
+use super::reading::Reading;
+use super::scope::Scope;
+use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::expr::Variable;
+use crate::problem::{Bindings, Domain, Parameter, Patch, PdeOperator, RequestedSetting, SolveRequest};
+use crate::syntax::ast::{Document, PatchBlock, PdeStatement, Range, SolveStatement, Statements};
+
+/// A patch whose boundary is still to be read.
+pub struct Section<'a> {
+    name: String,
+    /// Where its name is written.
+    place: Option<Span>,
+    statements: &'a Statements,
+    scope: Scope<'a>,
+    domain: Domain,
+    /// `None` if it is at fault.
+    operator: Option<PdeOperator>,
+    solve: SolveRequest,
+}
+
+/// Everything about each patch but its boundary; coefficients of its equation are added to `parameters`.
+pub fn sections<'a>(
+    document: &'a Document,
+    name: &str,
+    scope: &'a Scope<'a>,
+    parameters: &mut Vec<Parameter>,
+    reading: &mut Reading<'_>,
+) -> Vec<Section<'a>> {
+    let shared = &document.shared;
+    check_blocks(document, reading);
+    let standard = Domain::standard(&mut reading.graph);
+    let domain = domain(&shared.ranges, standard, scope, reading);
+    let solve = solve_request(&shared.solves, reading);
+    let stated = only_equation(&shared.equations, reading);
+    let needs_shared = document.patches.is_empty() || document.patches.iter().any(|block| states_no_equation(block));
+    let operator = if needs_shared { equation::resolve(stated, None, scope, parameters, reading) } else { None };
+    if document.patches.is_empty() {
+        let name = name.to_owned();
+        let scope = scope.inner();
+        return vec![Section { name, place: None, statements: shared, scope, domain, operator, solve }];
+    }
+    let mut sections = Vec::with_capacity(document.patches.len());
+    for block in &document.patches {
+        if reading.is_over {
+            break;
+        }
+        let statements = &block.statements;
+        let mut scope = scope.of_patch();
+        declarations::definitions(&statements.definitions, &mut scope, reading);
+        let operator = match only_equation(&statements.equations, reading) {
+            None => operator.clone(),
+            Some(own) => {
+                let own = over_shared(own, stated);
+                equation::resolve(Some(&own), Some(&block.name.text), &scope, parameters, reading)
+            }
+        };
+        sections.push(Section {
+            name: block.name.text.clone(),
+            place: Some(block.name.span),
+            statements,
+            domain: self::domain(&statements.ranges, domain.clone(), &scope, reading),
+            operator,
+            solve: if statements.solves.is_empty() {
+                solve.clone()
+            } else {
+                solve_request(&statements.solves, reading)
+            },
+            scope,
+        });
+    }
+    sections
+}
+
+/// The patch, or `None` if anything about it is at fault. Without `bindings` positions are not known.
+pub fn resolve(section: Section<'_>, bindings: Option<&Bindings>, reading: &mut Reading<'_>) -> Option<Patch> {
+    let Section { name, place, statements, scope, domain, operator, solve } = section;
+    let order_in_u = operator.as_ref().map(PdeOperator::order_in_u);
+    let numbers = match bindings {
+        None => None,
+        Some(bindings) => {
+            let values = domain.evaluate_in(&reading.graph, bindings);
+            reading.keep(values).map(|values| (bindings, values.u))
+        }
+    };
+    let frame = boundary::Frame { order_in_u, numbers, place };
+    let conditions = boundary::resolve(&statements.boundaries, &frame, &scope, reading)?;
+    Some(Patch { name, domain, operator: operator?, conditions, solve })
+}
+
+/// Refuses too many patches, two of one name, and constraints that belong to none of them.
+fn check_blocks(document: &Document, reading: &mut Reading<'_>) {
+    let limit = reading.limits.patches;
+    if let Some(block) = document.patches.get(limit) {
+        let message = format!("more patches than the limit `patches` of {limit}");
+        reading.report(Diagnostic::new(Code::LimitReached, message).at(block.name.span));
+    }
+    for (index, block) in document.patches.iter().enumerate().take(limit) {
+        let before = document.patches.iter().take(index).find(|other| other.name.text == block.name.text);
+        if let Some(first) = before {
+            let message = format!("two patches are called `{}`", block.name.text);
+            let finding = Diagnostic::new(Code::DuplicateName, message).at(block.name.span);
+            reading.report(finding.label(first.name.span, "first declared here"));
+        }
+    }
+    if let (Some(boundary), false) = (document.shared.boundaries.first(), document.patches.is_empty()) {
+        let place = boundary.variable.span.to(reading.tree.span(boundary.position));
+        reading.report(
+            Diagnostic::new(Code::UnexpectedText, "a boundary stands outside the patches of the document")
+                .at(place)
+                .hint("each patch has its own boundaries: move it into its `patch NAME { … }`"),
+        );
+    }
+}
+
+fn states_no_equation(block: &PatchBlock) -> bool {
+    block.statements.equations.is_empty()
+}
+
+fn only_equation<'a>(statements: &'a [PdeStatement], reading: &mut Reading<'_>) -> Option<&'a PdeStatement> {
+    if let [first, second, ..] = statements {
+        reading.report(
+            Diagnostic::new(Code::DuplicateStatement, "the equation is stated twice")
+                .at(second.span)
+                .label(first.span, "first stated here"),
+        );
+    }
+    statements.first()
+}
+
+/// A patch's `pde with …` changes coefficients of the equation that all patches share.
+fn over_shared(own: &PdeStatement, shared: Option<&PdeStatement>) -> PdeStatement {
+    let (Some(shared), None) = (shared, own.sides) else { return own.clone() };
+    let of_own = |name: &str| own.coefficients.iter().find(|(other, _)| other.text == name);
+    let changed = shared.coefficients.iter().map(|row| of_own(&row.0.text).unwrap_or(row));
+    let is_new = |name: &str| shared.coefficients.iter().all(|(other, _)| other.text != name);
+    let added = own.coefficients.iter().filter(|(name, _)| is_new(&name.text));
+    PdeStatement { sides: shared.sides, coefficients: changed.chain(added).cloned().collect(), span: own.span }
+}
+
+/// `domain` with the ranges that are stated.
+fn domain(ranges: &[Range], mut domain: Domain, scope: &Scope<'_>, reading: &mut Reading<'_>) -> Domain {
+    let mut stated: [Option<Span>; 3] = [None; 3];
+    for range in ranges {
+        let Some(index) = Variable::ALL.iter().position(|variable| variable.name() == range.variable.text) else {
+            reading.report(
+                Diagnostic::new(Code::UnknownName, format!("`{}` has no domain", range.variable.text))
+                    .at(range.variable.span)
+                    .hint("the coordinates are u, v and t; a param has its range behind its value: `param a = 1 in [0, 2]`"),
+            );
+            continue;
+        };
+        let [low, high] = range.interval.map(|end| reading.tree.span(end));
+        let Some(before) = stated.get_mut(index) else { continue };
+        if let Some(first) = before {
+            let message = format!("the domain of {} is stated twice", range.variable.text);
+            let finding = Diagnostic::new(Code::DuplicateStatement, message).at(range.variable.span);
+            reading.report(finding.label(*first, "first stated here"));
+            continue;
+        }
+        *before = Some(low.to(high));
+        let ends = range.interval.map(|end| {
+            let end = reading.lowering(scope).constant(end, "a domain");
+            reading.keep(end)
+        });
+        let slots = (domain.ends.get_mut(index), domain.origins.get_mut(index));
+        if let ([Some(low), Some(high)], (Some(slot), Some(origin))) = (ends, slots) {
+            *slot = [low, high];
+            *origin = *before;
+        }
+    }
+    domain
+}
+
+fn solve_request(statements: &[SolveStatement], reading: &mut Reading<'_>) -> SolveRequest {
+    if let [first, second, ..] = statements {
+        reading.report(
+            Diagnostic::new(Code::DuplicateStatement, "the method is stated twice")
+                .at(second.method.span)
+                .label(first.method.span, "first stated here"),
+        );
+    }
+    let Some(statement) = statements.first() else { return SolveRequest::default() };
+    let settings = statement.settings.iter().map(|setting| RequestedSetting {
+        key: setting.key.text.clone(),
+        value: setting.value.clone(),
+        origin: Some(setting.span),
+    });
+    SolveRequest {
+        method: Some(statement.method.text.clone()),
+        origin: Some(statement.method.span),
+        settings: settings.collect(),
+    }
+}

@@ -1,0 +1,70 @@
+//! What every stage of resolving works on, and what it reports.
+
+use super::lower::Lowering;
+use super::scope::Scope;
+use crate::diagnostic::{Class, Diagnostic, Diagnostics, MOST_FINDINGS};
+use crate::expr::Graph;
+use crate::limits::Limits;
+use crate::syntax::ast::Tree;
+
+/// Why an expression has no value.
+#[derive(Debug)]
+pub enum Fault {
+    /// It is at fault.
+    Found(Diagnostic),
+    /// It uses a declaration that is at fault, which has been reported.
+    Follows,
+}
+
+impl From<Diagnostic> for Fault {
+    fn from(finding: Diagnostic) -> Fault {
+        Fault::Found(finding)
+    }
+}
+
+/// A document while it is resolved.
+pub struct Reading<'a> {
+    /// Its expressions.
+    pub tree: &'a Tree,
+    /// Where they go.
+    pub graph: Graph,
+    /// Bounds on the graph.
+    pub limits: &'a Limits,
+    /// What was found so far.
+    pub found: Diagnostics,
+    /// Whether a limit was reached or nothing more is to be said; every later stage would only repeat it.
+    pub is_over: bool,
+}
+
+impl<'a> Reading<'a> {
+    /// Nothing read, nothing found.
+    pub fn new(tree: &'a Tree, graph: Graph, limits: &'a Limits) -> Reading<'a> {
+        Reading { tree, graph, limits, found: Diagnostics::new(), is_over: false }
+    }
+
+    /// A lowering of expressions whose names mean what `scope` says.
+    pub fn lowering<'s>(&'s mut self, scope: &'s Scope<'s>) -> Lowering<'s> {
+        Lowering { tree: self.tree, graph: &mut self.graph, scope, limits: self.limits }
+    }
+
+    /// The value, or `None` with the reason reported.
+    pub fn keep<T>(&mut self, result: Result<T, impl Into<Fault>>) -> Option<T> {
+        match result.map_err(Into::into) {
+            Ok(value) => Some(value),
+            Err(Fault::Follows) => None,
+            Err(Fault::Found(finding)) => {
+                self.report(finding);
+                None
+            }
+        }
+    }
+
+    /// Reports a finding.
+    pub fn report(&mut self, finding: Diagnostic) {
+        if self.is_over {
+            return;
+        }
+        self.is_over = finding.class() == Class::Limit || self.found.len() + 1 >= MOST_FINDINGS;
+        self.found.push(finding);
+    }
+}
