@@ -37,8 +37,8 @@ fn main() -> Result<(), Diagnostic> {
         condition(one, 1, [cos, sin, zero]),
     ];
 
-    let patch = Patch { name: "tube".to_owned(), domain, operator, conditions, solve: SolveRequest::default() };
-    let problem = Problem { graph, parameters, patches: vec![patch] };
+    let patch = Patch { name: "tube".to_owned(), domain, operator, conditions, joins: Vec::new(), solve: SolveRequest::default() };
+    let problem = Problem { graph, parameters, patches: vec![patch], ..Problem::default() };
     let blend = Blend::new(problem, &Options::default())?;
     let solution = blend.solve(0, 0.0)?;
     let mut point = [[0.0; 3]];

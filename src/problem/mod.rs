@@ -7,10 +7,12 @@
 mod domain;
 mod operator;
 mod parameters;
+mod surface;
 
 pub use domain::{Domain, DomainValues};
 pub use operator::{PdeOperator, PdeTerm, STANDARD_COEFFICIENTS};
 pub use parameters::{Bindings, Parameter, ParameterKind};
+pub use surface::{Join, PrimarySurface};
 
 use crate::diagnostic::Span;
 use crate::expr::{ExprId, Graph};
@@ -25,6 +27,8 @@ pub struct Problem {
     pub graph: Graph,
     /// Parameters and coefficients, each after those its value uses.
     pub parameters: Vec<Parameter>,
+    /// Primary surfaces, in source order.
+    pub surfaces: Vec<PrimarySurface>,
     /// The patches, in source order.
     pub patches: Vec<Patch>,
 }
@@ -40,6 +44,8 @@ pub struct Patch {
     pub operator: PdeOperator,
     /// As many conditions as the operator's order in u, by position and then by order.
     pub conditions: Vec<BoundaryCondition>,
+    /// The trimlines that lie on primary surfaces; what the conditions say of them stands there.
+    pub joins: Vec<Join>,
     /// How the document asks for it to be solved.
     pub solve: SolveRequest,
 }

@@ -1,12 +1,13 @@
 //! `at u = c:` blocks to boundary conditions, counted against the order of the equation.
 
+use super::join;
 use super::lower::{Lowering, components};
 use super::reading::{Fault, Reading};
 use super::scope::{Scope, Value};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 use crate::expr::{ExprId, Variable};
 use crate::numeric::CardinalPolynomials;
-use crate::problem::{Bindings, BoundaryCondition, describe_condition};
+use crate::problem::{Bindings, BoundaryCondition, Join, describe_condition};
 use crate::syntax::ast::{Boundary, Constraint, Kind};
 
 /// A condition that is still being collected.
@@ -33,13 +34,14 @@ pub fn resolve(
     frame: &Frame<'_>,
     scope: &Scope<'_>,
     reading: &mut Reading<'_>,
-) -> Option<Vec<BoundaryCondition>> {
+) -> Option<(Vec<BoundaryCondition>, Vec<Join>)> {
     let found_before = reading.found.len();
     let mut collected: Vec<Collected> = Vec::new();
+    let mut joins = Vec::new();
     for boundary in boundaries {
         let edge = edge(boundary, frame, &mut reading.lowering(scope));
         let edge = reading.keep(edge).flatten();
-        for constraint in &boundary.constraints {
+        for constraint in &boundary.constraints.single {
             if reading.is_over {
                 return None;
             }
@@ -47,7 +49,18 @@ pub fn resolve(
             if let (Some(stated), Some(edge)) = (reading.keep(stated), edge) {
                 let added = add(stated, edge, &mut reading.lowering(scope), &mut collected);
                 reading.keep(added);
+                joins.extend(join::written_out(constraint, edge.0, &mut reading.lowering(scope)));
             }
+        }
+        for join in &boundary.constraints.joins {
+            let (Some((u, position)), Some(order_in_u)) = (edge, frame.order_in_u) else { continue };
+            let expanded = join::expand(join, u, order_in_u, &mut reading.lowering(scope));
+            let Some((stated, join)) = reading.keep(expanded) else { continue };
+            for stated in stated {
+                let added = add(stated, (u, position), &mut reading.lowering(scope), &mut collected);
+                reading.keep(added);
+            }
+            joins.push(join);
         }
     }
     let (Some(order_in_u), Some((_, range)), true) =
@@ -68,7 +81,7 @@ pub fn resolve(
         value: condition.value.map(|value| value.map_or(condition.u, |(expr, _)| expr)),
         origins: condition.value.map(|value| value.map(|(_, span)| span)),
     });
-    Some(conditions.collect())
+    Some((conditions.collect(), joins))
 }
 
 /// The position of a boundary, symbolically and as a number; `None` where numbers are not known.
@@ -96,11 +109,15 @@ fn edge(
 }
 
 /// A constraint with its value: for each component the prescribed function, if there is one, and its place.
-struct Stated {
-    order: usize,
-    value: [Option<ExprId>; 3],
-    places: [Span; 3],
-    span: Span,
+pub struct Stated {
+    /// The order of the derivative in u.
+    pub order: usize,
+    /// The prescribed function of each component.
+    pub value: [Option<ExprId>; 3],
+    /// Where each is written.
+    pub places: [Span; 3],
+    /// The whole statement.
+    pub span: Span,
 }
 
 fn stated(constraint: &Constraint, order_in_u: Option<usize>, lowering: &mut Lowering<'_>) -> Result<Stated, Fault> {

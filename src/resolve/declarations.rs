@@ -2,9 +2,10 @@
 
 use super::reading::Reading;
 use super::scope::{Meaning, Scope, Value};
+use super::surface;
 use crate::expr::ExprId;
 use crate::problem::{Parameter, ParameterKind};
-use crate::syntax::ast;
+use crate::syntax::ast::{self, DefinitionKind};
 
 /// Declares every param; one with a faulty value is declared as faulty, so that its uses are not reported too.
 pub fn parameters(declared: &[ast::Parameter], scope: &mut Scope<'_>, reading: &mut Reading<'_>) -> Vec<Parameter> {
@@ -54,22 +55,31 @@ pub fn definitions(definitions: &[ast::Definition], scope: &mut Scope<'_>, readi
         if reading.is_over {
             return;
         }
-        let mut local = scope.inner();
-        let mut formals: Vec<ExprId> = Vec::with_capacity(definition.formals.len());
-        for formal in &definition.formals {
-            // A space cannot occur in a name, so an argument never meets a param.
-            let symbol = reading.graph.symbol(&format!("{} of {}", formal.text, definition.name.text));
-            let is_declared = local.declare(formal, Meaning::Value(Value::Scalar(symbol)));
-            reading.keep(is_declared);
-            formals.push(symbol);
+        if let DefinitionKind::Surface(ranges) = &definition.kind {
+            surface::declare(definition, ranges, scope, reading);
+            continue;
         }
-        let value = reading.lowering(&local).value(definition.value);
-        let meaning = match reading.keep(value) {
-            None => Meaning::Faulty,
-            Some(value) if formals.is_empty() => Meaning::Value(value),
-            Some(value) => Meaning::Function(formals, value),
-        };
+        let meaning = meaning(definition, scope, reading);
         let is_declared = scope.declare(&definition.name, meaning);
         reading.keep(is_declared);
+    }
+}
+
+/// What a `let` gives its name.
+pub fn meaning(definition: &ast::Definition, scope: &Scope<'_>, reading: &mut Reading<'_>) -> Meaning {
+    let mut local = scope.inner();
+    let mut formals: Vec<ExprId> = Vec::with_capacity(definition.formals.len());
+    for formal in &definition.formals {
+        // A space cannot occur in a name, so an argument never meets a param.
+        let symbol = reading.graph.symbol(&format!("{} of {}", formal.text, definition.name.text));
+        let is_declared = local.declare(formal, Meaning::Value(Value::Scalar(symbol)));
+        reading.keep(is_declared);
+        formals.push(symbol);
+    }
+    let value = reading.lowering(&local).value(definition.value);
+    match reading.keep(value) {
+        None => Meaning::Faulty,
+        Some(value) if formals.is_empty() => Meaning::Value(value),
+        Some(value) => Meaning::Function(formals, value),
     }
 }

@@ -24,6 +24,13 @@ pub struct Form {
     pub unknown: BTreeMap<Derivative, Value>,
 }
 
+impl Form {
+    /// A value without S.
+    pub fn of(value: Value) -> Form {
+        Form { value, unknown: BTreeMap::new() }
+    }
+}
+
 /// Lowers expressions of one document.
 pub struct Lowering<'a> {
     /// Where expressions come from.
@@ -88,15 +95,6 @@ impl Lowering<'_> {
             .into())
     }
 
-    fn uses_faulty(&self, part: Expression) -> bool {
-        match &self.tree.node(part).kind {
-            Kind::Name(name) | Kind::Application(name, _) => {
-                matches!(self.scope.meaning(&name.text), Some(Meaning::Faulty))
-            }
-            _ => false,
-        }
-    }
-
     fn part(&mut self, part: Expression, known: &FxHashMap<Expression, Form>) -> Result<Form, Diagnostic> {
         let node = self.tree.node(part);
         let span = node.span;
@@ -104,6 +102,10 @@ impl Lowering<'_> {
             Kind::Number(number) => Ok(scalar(self.graph.number(*number))),
             Kind::Name(name) => self.name(name),
             Kind::Unknown(unknown) => self.unknown(*unknown),
+            Kind::Partial(partial) => {
+                let arguments = self.scalars(&partial.arguments, known)?;
+                self.partial(partial, &arguments, span)
+            }
             Kind::Application(name, arguments) => self.application(name, arguments, known, span),
             Kind::Call(function, arguments) => {
                 let values = self.scalars(arguments, known)?;
@@ -126,7 +128,7 @@ impl Lowering<'_> {
                     let message = format!("a vector has three components, this one has {count}");
                     Diagnostic::new(Code::NotScalar, message).at(span).hint("write `[x, y, z]`")
                 })?;
-                Ok(Form { value: Value::Vector(components), unknown: BTreeMap::new() })
+                Ok(Form::of(Value::Vector(components)))
             }
         }
     }
@@ -134,7 +136,7 @@ impl Lowering<'_> {
     fn name(&mut self, name: &Name) -> Result<Form, Diagnostic> {
         match self.scope.meaning(&name.text) {
             Some(Meaning::Function(formals, _)) => Err(wrong_arity(&name.text, formals.len(), 0, name.span)),
-            Some(meaning) => Ok(Form { value: plain(meaning, name.span)?, unknown: BTreeMap::new() }),
+            Some(meaning) => Ok(Form::of(self.plain_value(meaning, name)?)),
             None => Err(self.scope.unknown_name(name)),
         }
     }
@@ -164,19 +166,24 @@ impl Lowering<'_> {
         known: &FxHashMap<Expression, Form>,
         span: Span,
     ) -> Result<Form, Diagnostic> {
+        if let Some((surface, component)) = self.surface(&name.text) {
+            let values = self.scalars(arguments, known)?;
+            return self.surface_value((&surface, component), name, &values, span);
+        }
         match self.scope.meaning(&name.text).cloned() {
             Some(Meaning::Function(formals, body)) => {
+                self.check_visible(name, body)?;
                 let values = self.scalars(arguments, known)?;
                 if values.len() != formals.len() {
                     return Err(wrong_arity(&name.text, formals.len(), values.len(), span));
                 }
                 let replacements: FxHashMap<ExprId, ExprId> = formals.into_iter().zip(values).collect();
                 let value = self.map_value(body, |graph, expr| graph.substitute(expr, &replacements));
-                Ok(Form { value, unknown: BTreeMap::new() })
+                Ok(Form::of(value))
             }
             Some(meaning) => match arguments {
                 [only] => {
-                    let factor = Form { value: plain(&meaning, span)?, unknown: BTreeMap::new() };
+                    let factor = Form::of(self.plain_value(&meaning, name)?);
                     let other = known.get(only).cloned().ok_or_else(|| missing(span))?;
                     self.multiply(factor, other, span)
                 }
@@ -290,8 +297,7 @@ impl Lowering<'_> {
         match (left.unknown.is_empty(), right.unknown.is_empty()) {
             (false, false) => Err(not_linear("the product of two terms with S is not linear in S", span)),
             (true, true) => {
-                let value = self.multiply_values(left.value, right.value, span)?;
-                Ok(Form { value, unknown: BTreeMap::new() })
+                Ok(Form::of(self.multiply_values(left.value, right.value, span)?))
             }
             (true, false) => self.distribute(left.value, right, span),
             (false, true) => self.distribute(right.value, left, span),
@@ -365,7 +371,7 @@ impl Lowering<'_> {
         let Kind::Application(name, arguments) = &self.tree.node(expression).kind else { return None };
         let (Some(meaning), [only]) = (self.scope.meaning(&name.text), arguments.as_slice()) else { return None };
         let value = plain(meaning, name.span).ok()?;
-        known.get(only).map(|_| (Form { value, unknown: BTreeMap::new() }, *only))
+        known.get(only).map(|_| (Form::of(value), *only))
     }
 
     fn scalars(
@@ -400,9 +406,14 @@ impl Lowering<'_> {
     }
 
     fn too_large(&self, part: Expression) -> Diagnostic {
+        self.too_large_at(self.tree.span(part))
+    }
+
+    /// The finding for a graph beyond its limit.
+    pub fn too_large_at(&self, span: Span) -> Diagnostic {
         let limit = self.limits.graph_nodes;
         let message = format!("the expressions have more distinct parts than the limit `graph-nodes` of {limit}");
-        Diagnostic::new(Code::LimitReached, message).at(self.tree.span(part))
+        Diagnostic::new(Code::LimitReached, message).at(span)
     }
 }
 
@@ -415,16 +426,16 @@ pub fn components(value: Value) -> [ExprId; 3] {
 }
 
 /// The value of a name that stands for one.
-fn plain(meaning: &Meaning, span: Span) -> Result<Value, Diagnostic> {
+pub fn plain(meaning: &Meaning, span: Span) -> Result<Value, Diagnostic> {
     match meaning {
         Meaning::Value(value) => Ok(*value),
         Meaning::Parameter(symbol) => Ok(Value::Scalar(*symbol)),
-        Meaning::Function(..) | Meaning::Faulty => Err(missing(span)),
+        Meaning::Function(..) | Meaning::Surface(_) | Meaning::Faulty => Err(missing(span)),
     }
 }
 
 fn scalar(expr: ExprId) -> Form {
-    Form { value: Value::Scalar(expr), unknown: BTreeMap::new() }
+    Form::of(Value::Scalar(expr))
 }
 
 fn not_linear(message: &str, span: Span) -> Diagnostic {

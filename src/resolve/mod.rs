@@ -6,10 +6,13 @@
 mod boundary;
 mod declarations;
 mod equation;
+mod join;
 mod lower;
 mod patch;
+mod prelude;
 mod reading;
 mod scope;
+mod surface;
 
 use reading::Reading;
 use scope::{Meaning, Scope};
@@ -29,6 +32,7 @@ use crate::syntax::parse_expression;
 pub fn resolve(document: &Document, name: &str, limits: &Limits) -> Result<Problem, Diagnostics> {
     let mut reading = Reading::new(&document.tree, Graph::new(), limits);
     let mut scope = Scope::new(&mut reading.graph, limits);
+    prelude::provide(&document.tree, &mut scope, &mut reading);
     let parameters = declarations::parameters(&document.parameters, &mut scope, &mut reading);
     declarations::definitions(&document.shared.definitions, &mut scope, &mut reading);
     let mut problem = Problem { parameters, ..Problem::default() };
@@ -45,7 +49,7 @@ pub fn resolve(document: &Document, name: &str, limits: &Limits) -> Result<Probl
     for section in sections {
         problem.patches.extend(patch::resolve(section, bindings.as_ref(), &mut reading));
     }
-    problem.graph = reading.graph;
+    (problem.graph, problem.surfaces) = (reading.graph, reading.surfaces);
     if reading.found.is_empty() { Ok(problem) } else { Err(reading.found) }
 }
 

@@ -88,8 +88,8 @@ pub fn resolve(section: Section<'_>, bindings: Option<&Bindings>, reading: &mut 
         }
     };
     let frame = boundary::Frame { order_in_u, numbers, place };
-    let conditions = boundary::resolve(&statements.boundaries, &frame, &scope, reading)?;
-    Some(Patch { name, domain, operator: operator?, conditions, solve })
+    let (conditions, joins) = boundary::resolve(&statements.boundaries, &frame, &scope, reading)?;
+    Some(Patch { name, domain, operator: operator?, conditions, joins, solve })
 }
 
 /// Refuses too many patches, two of one name, and constraints that belong to none of them.

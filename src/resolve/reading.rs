@@ -5,6 +5,7 @@ use super::scope::Scope;
 use crate::diagnostic::{Class, Diagnostic, Diagnostics, MOST_FINDINGS};
 use crate::expr::Graph;
 use crate::limits::Limits;
+use crate::problem::PrimarySurface;
 use crate::syntax::ast::Tree;
 
 /// Why an expression has no value.
@@ -28,6 +29,8 @@ pub struct Reading<'a> {
     pub tree: &'a Tree,
     /// Where they go.
     pub graph: Graph,
+    /// Primary surfaces that were declared.
+    pub surfaces: Vec<PrimarySurface>,
     /// Bounds on the graph.
     pub limits: &'a Limits,
     /// What was found so far.
@@ -39,7 +42,7 @@ pub struct Reading<'a> {
 impl<'a> Reading<'a> {
     /// Nothing read, nothing found.
     pub fn new(tree: &'a Tree, graph: Graph, limits: &'a Limits) -> Reading<'a> {
-        Reading { tree, graph, limits, found: Diagnostics::new(), is_over: false }
+        Reading { tree, graph, surfaces: Vec::new(), limits, found: Diagnostics::new(), is_over: false }
     }
 
     /// A lowering of expressions whose names mean what `scope` says.

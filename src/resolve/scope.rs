@@ -1,6 +1,10 @@
 //! The names a document declares and what they stand for.
 
+use std::rc::Rc;
+
 use rustc_hash::FxHashMap;
+
+use super::surface::SurfaceMeaning;
 
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::{Constant, ExprId, Function, Graph, Variable};
@@ -25,6 +29,8 @@ pub enum Meaning {
     Parameter(ExprId),
     /// A definition with arguments: the symbols of its arguments and its body.
     Function(Vec<ExprId>, Value),
+    /// A primary surface.
+    Surface(Rc<SurfaceMeaning>),
     /// A declaration that was found faulty; what uses it is not reported again.
     Faulty,
 }
@@ -47,6 +53,8 @@ pub struct Scope<'a> {
     limit: usize,
     /// Whether a definition may hide one outside.
     may_hide: bool,
+    /// The coordinates that do not exist inside: a surface has its own.
+    hidden: [bool; 3],
 }
 
 impl<'a> Scope<'a> {
@@ -59,6 +67,7 @@ impl<'a> Scope<'a> {
             allowed: limits.names,
             limit: limits.names,
             may_hide: false,
+            hidden: [false; 3],
         };
         for variable in Variable::ALL {
             let value = graph.variable(variable);
@@ -80,12 +89,45 @@ impl<'a> Scope<'a> {
             allowed: self.allowed,
             limit: self.limit,
             may_hide: false,
+            hidden: [false; 3],
         }
     }
 
     /// The scope of a patch, whose definitions may take the place of those outside.
     pub fn of_patch(&'a self) -> Scope<'a> {
         Scope { may_hide: true, ..self.inner() }
+    }
+
+    /// The scope inside a surface: its parameters stand for `coordinates`, and hide what has their names.
+    pub fn of_surface(&'a self, parameters: &[Name], coordinates: [ExprId; 3]) -> Scope<'a> {
+        let mut scope = self.inner();
+        for (parameter, coordinate) in parameters.iter().zip(coordinates) {
+            scope.insert(&parameter.text, Meaning::Value(Value::Scalar(coordinate)), Some(parameter.span));
+        }
+        for ((index, variable), hidden) in Variable::ALL.iter().enumerate().zip(&mut scope.hidden) {
+            // A surface without a time of its own moves with that of the document.
+            *hidden = match parameters.get(index) {
+                Some(parameter) => parameter.text != variable.name(),
+                None => *variable != Variable::T,
+            };
+        }
+        scope
+    }
+
+    /// The coordinates that do not exist between here and where `name` is declared.
+    pub fn hidden_from(&self, name: &str) -> [bool; 3] {
+        let mut hidden = [false; 3];
+        for scope in self.layers().take_while(|scope| !scope.names.contains_key(name)) {
+            for (all, here) in hidden.iter_mut().zip(scope.hidden) {
+                *all |= here;
+            }
+        }
+        hidden
+    }
+
+    /// Whether the declaration of `name` is at fault.
+    pub fn is_faulty(&self, name: &str) -> bool {
+        matches!(self.meaning(name), Some(Meaning::Faulty))
     }
 
     /// This scope and those around it, innermost first.
@@ -131,6 +173,8 @@ impl<'a> Scope<'a> {
     pub fn check_free(&self, name: &Name) -> Result<(), Diagnostic> {
         let text = &name.text;
         match (self.entry(text), text.as_str()) {
+            // A standard surface gives way to the document's own.
+            (Some((Meaning::Function(..), None)), _) => Ok(()),
             (Some((Meaning::Value(_) | Meaning::Function(..) | Meaning::Faulty, Some(_))), _)
                 if self.may_hide && !self.names.contains_key(text) =>
             {

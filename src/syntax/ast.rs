@@ -60,15 +60,26 @@ pub struct Parameter {
     pub interval: Option<[Expression; 2]>,
 }
 
-/// `let NAME = expr` or `let NAME(x, …) = expr`
+/// `let NAME = expr`, `let NAME(x, …) = expr` or `surface NAME(u, v, t) = expr [with u in [lo, hi], …]`
 #[derive(Debug, Clone, PartialEq)]
 pub struct Definition {
+    /// What is defined.
+    pub kind: DefinitionKind,
     /// The defined name.
     pub name: Name,
     /// The arguments; empty for a plain definition.
     pub formals: Vec<Name>,
     /// What it stands for.
     pub value: Expression,
+}
+
+/// What a definition defines.
+#[derive(Debug, Clone, PartialEq)]
+pub enum DefinitionKind {
+    /// A name for an expression.
+    Let,
+    /// A primary surface, with the ranges of its parameters as far as they are stated.
+    Surface(Vec<Range>),
 }
 
 /// `domain v in [lo, hi]`
@@ -98,8 +109,34 @@ pub struct Boundary {
     pub variable: Name,
     /// The value of u.
     pub position: Expression,
-    /// The constraints.
-    pub constraints: Vec<Constraint>,
+    /// What is stated there.
+    pub constraints: Constraints,
+}
+
+/// What a boundary block states.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Constraints {
+    /// Single constraints, in source order.
+    pub single: Vec<Constraint>,
+    /// Joined surfaces, in source order.
+    pub joins: Vec<Join>,
+}
+
+/// `join S1 at u = u1, strength = k, flip`
+#[derive(Debug, Clone, PartialEq)]
+pub struct Join {
+    /// The surface.
+    pub surface: Name,
+    /// The parameter that is constant along the trimline.
+    pub parameter: Name,
+    /// Its value there.
+    pub position: Expression,
+    /// What the tangent is multiplied by.
+    pub strength: Option<Expression>,
+    /// Whether the tangent is turned round.
+    pub is_flipped: bool,
+    /// The whole statement.
+    pub span: Span,
 }
 
 /// `S_x = expr`, `∂S/∂u = [.., .., ..]`
@@ -172,6 +209,8 @@ pub enum Kind {
     SquareRoot(Vec<Expression>),
     /// S or a derivative of it.
     Unknown(Unknown),
+    /// A derivative of a primary surface, taken in its own parameters and then evaluated at the arguments.
+    Partial(Partial),
     /// Terms, each with whether it is subtracted.
     Sum(Vec<(bool, Expression)>),
     /// Factors, each with whether it divides.
@@ -182,6 +221,17 @@ pub enum Kind {
     Vector(Vec<Expression>),
 }
 
+/// `∂²S1(u1, v, t)/∂u∂v`
+#[derive(Debug, Clone, PartialEq)]
+pub struct Partial {
+    /// The surface or a component of it.
+    pub surface: Name,
+    /// Where the derivative is taken.
+    pub arguments: Vec<Expression>,
+    /// Each differentiation with its order.
+    pub orders: Vec<(Name, usize)>,
+}
+
 impl Kind {
     fn operands(&self) -> Vec<Expression> {
         match self {
@@ -190,6 +240,7 @@ impl Kind {
             | Kind::Call(_, operands)
             | Kind::SquareRoot(operands)
             | Kind::Vector(operands) => operands.clone(),
+            Kind::Partial(partial) => partial.arguments.clone(),
             Kind::Sum(parts) | Kind::Product(parts) => parts.iter().map(|(_, part)| *part).collect(),
             Kind::Power(base, exponent) => vec![*base, *exponent],
         }
@@ -220,6 +271,14 @@ impl Tree {
     #[must_use]
     pub fn span(&self, expression: Expression) -> Span {
         self.node(expression).span
+    }
+
+    /// Every name that is used, as often as it is.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.nodes.iter().filter_map(|node| match &node.kind {
+            Kind::Name(name) | Kind::Application(name, _) => Some(name.text.as_str()),
+            _ => None,
+        })
     }
 
     /// The expression and all its parts, parts first.

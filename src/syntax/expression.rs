@@ -161,6 +161,7 @@ impl Builder<'_> {
             Rule::pi => Kind::Name(Name { text: "pi".to_owned(), span: whole }),
             Rule::derivative => Kind::Unknown(self.derivative(pair)?),
             Rule::unknown => Kind::Unknown(self.unknown(&pair)),
+            Rule::partial => self.partial(pair)?,
             Rule::application => {
                 let mut parts = pair.into_inner();
                 let name = self.name(&parts.next().ok_or_else(internal)?);
@@ -445,7 +446,7 @@ fn superscript_digits(text: &str) -> String {
 }
 
 /// The number in `²`, `^2`, `^{2}` or `2`; absurd orders are cut off far above every limit.
-fn order(text: &str) -> usize {
+pub fn order(text: &str) -> usize {
     let digits: String = superscript_digits(text).chars().filter(char::is_ascii_digit).collect();
     digits.parse().unwrap_or(usize::MAX / 8)
 }

@@ -7,6 +7,7 @@ pub mod ast;
 mod brackets;
 mod expression;
 mod parser;
+mod partial;
 mod preflight;
 mod statement;
 

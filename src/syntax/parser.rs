@@ -88,12 +88,13 @@ fn words(rule: Rule) -> Option<&'static str> {
         | Rule::bare_factor
         | Rule::unknown
         | Rule::derivative
+        | Rule::partial
         | Rule::function
         | Rule::bare_argument
         | Rule::root_sign => "an expression",
         Rule::name | Rule::parameter | Rule::definition | Rule::assignment | Rule::range => "a name",
         Rule::interval => "an interval `[lo, hi]`",
-        Rule::constraint | Rule::constraints | Rule::target => "a constraint such as `S_x = …`",
+        Rule::constraint | Rule::constraints | Rule::target | Rule::join | Rule::kw_join => "a constraint such as `S_x = …`",
         Rule::line
         | Rule::param_line
         | Rule::let_line
@@ -105,10 +106,14 @@ fn words(rule: Rule) -> Option<&'static str> {
         | Rule::kw_let
         | Rule::kw_domain
         | Rule::kw_pde
-        | Rule::kw_at
         | Rule::patch_line
         | Rule::kw_patch
-        | Rule::kw_solve => "a statement (`param`, `let`, `domain`, `pde`, `at`, `solve`, `patch`)",
+        | Rule::surface_line
+        | Rule::kw_surface
+        | Rule::kw_solve => "a statement (`param`, `let`, `surface`, `domain`, `pde`, `at`, `solve`, `patch`)",
+        Rule::surface => "a name",
+        Rule::strength | Rule::kw_strength | Rule::flip => "`strength = …` or `flip`",
+        Rule::kw_at => "`at`",
         Rule::kw_in => "`in`",
         Rule::kw_with => "`with`",
         Rule::equation => "an equation",
@@ -133,10 +138,8 @@ fn advice(text: &str, at: usize) -> Option<String> {
     if ["∂²/∂", "∂/∂", "d2/d"].iter().any(|operator| text.contains(operator)) {
         return Some("operators in brackets are not read: write out each term, such as `∂⁴S/∂u²∂v²`".to_owned());
     }
-    for word in ["surface", "join", "curve"] {
-        if text.strip_prefix(word).is_some_and(|tail| tail.starts_with([' ', '\t'])) {
-            return Some(format!("`{word}` is reserved for a later version of the language"));
-        }
+    if text.strip_prefix("curve").is_some_and(|tail| tail.starts_with([' ', '\t'])) {
+        return Some("`curve` is reserved for a later version of the language".to_owned());
     }
     if text.starts_with("patch ") && !text.ends_with('{') {
         return Some("the statements of a patch stand in braces: `patch a {` … `}`".to_owned());

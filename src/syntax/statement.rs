@@ -1,8 +1,8 @@
 //! Parsed lines to statements of the [`Document`].
 
 use super::ast::{
-    Boundary, Constraint, Definition, Document, Expression, Kind, Name, Parameter, PatchBlock, PdeStatement, Range,
-    Setting, SolveStatement, Statements, Unknown,
+    Boundary, Constraint, Constraints, Definition, DefinitionKind, Document, Expression, Join, Kind, Name, Parameter,
+    PatchBlock, PdeStatement, Range, Setting, SolveStatement, Statements, Unknown,
 };
 use super::expression::Builder;
 use super::parser::{Parsed, Rule};
@@ -22,7 +22,7 @@ pub enum Statement {
     /// `at u = c: …`
     Boundary(Boundary),
     /// Constraints of the boundary block that is open.
-    Constraints(Vec<Constraint>),
+    Constraints(Constraints),
     /// `solve …`
     Solve(SolveStatement),
     /// `patch NAME {`
@@ -45,20 +45,28 @@ impl Statement {
                 }
                 document.parameters.extend(parameters);
             }
-            Statement::Definitions(definitions) => section.definitions.extend(definitions),
+            Statement::Definitions(definitions) => {
+                let surface = definitions.iter().find(|definition| definition.kind != DefinitionKind::Let);
+                if let (true, Some(surface)) = (*in_patch, surface) {
+                    return Err(shared_only("surface", &surface.name));
+                }
+                section.definitions.extend(definitions);
+            }
             Statement::Ranges(ranges) => section.ranges.extend(ranges),
             Statement::Equation(equation) => section.equations.push(equation),
             Statement::Boundary(boundary) => section.boundaries.push(boundary),
             Statement::Solve(solve) => section.solves.push(solve),
             Statement::Constraints(constraints) => match section.boundaries.last_mut() {
-                Some(boundary) => boundary.constraints.extend(constraints),
+                Some(boundary) => {
+                    boundary.constraints.single.extend(constraints.single);
+                    boundary.constraints.joins.extend(constraints.joins);
+                }
                 None => {
-                    let finding = Diagnostic::new(Code::UnexpectedText, "a constraint stands outside a boundary block")
-                        .hint("open the block first: `at u = 0:`");
-                    return Err(match constraints.first() {
-                        Some(first) => finding.at(first.span),
-                        None => finding,
-                    });
+                    let first = constraints.single.first().map(|constraint| constraint.span);
+                    let first = first.or(constraints.joins.first().map(|join| join.span));
+                    return Err(Diagnostic::new(Code::UnexpectedText, "a constraint stands outside a boundary block")
+                        .at(first)
+                        .hint("open the block first: `at u = 0:`"));
                 }
             },
             Statement::PatchBegins(name) => {
@@ -74,7 +82,7 @@ impl Statement {
 fn shared_only(what: &str, name: &Name) -> Diagnostic {
     Diagnostic::new(Code::UnexpectedText, format!("a {what} belongs to all patches, so it cannot stand inside one"))
         .at(name.span)
-        .hint(format!("declare it before the patches, or write `let {} = …` here", name.text))
+        .hint("declare it before the patches; what differs between patches can be a `let`")
 }
 
 impl Builder<'_> {
@@ -94,6 +102,12 @@ impl Builder<'_> {
             Rule::let_line => Statement::Definitions(
                 parts
                     .filter(|part| part.as_rule() == Rule::definition)
+                    .map(|part| self.definition(part))
+                    .collect::<Result<_, _>>()?,
+            ),
+            Rule::surface_line => Statement::Definitions(
+                parts
+                    .filter(|part| part.as_rule() == Rule::surface)
                     .map(|part| self.definition(part))
                     .collect::<Result<_, _>>()?,
             ),
@@ -126,7 +140,7 @@ impl Builder<'_> {
                 let mut inner = parts.filter(|part| part.as_rule() != Rule::kw_at);
                 let variable = self.take_name(&mut inner)?;
                 let position = self.take_expression(&mut inner)?;
-                let constraints = inner.next().map_or(Ok(Vec::new()), |list| self.constraints(list.into_inner()))?;
+                let constraints = inner.next().map_or(Ok(Constraints::default()), |list| self.constraints(list.into_inner()))?;
                 Statement::Boundary(Boundary { variable, position, constraints })
             }
             Rule::constraints => Statement::Constraints(self.constraints(parts)?),
@@ -146,6 +160,7 @@ impl Builder<'_> {
     }
 
     fn definition(&mut self, part: Parsed<'_>) -> Result<Definition, Diagnostic> {
+        let is_surface = part.as_rule() == Rule::surface;
         let mut inner = part.into_inner().peekable();
         let name = self.take_name(&mut inner)?;
         let formals = match inner.next_if(|part| part.as_rule() == Rule::formals) {
@@ -161,7 +176,11 @@ impl Builder<'_> {
             }
             None => Vec::new(),
         };
-        Ok(Definition { name, formals, value: self.take_expression(&mut inner)? })
+        let value = self.take_expression(&mut inner)?;
+        let ranges = inner.filter(|part| part.as_rule() == Rule::range).map(|part| self.range(part));
+        let ranges = ranges.collect::<Result<_, _>>()?;
+        let kind = if is_surface { DefinitionKind::Surface(ranges) } else { DefinitionKind::Let };
+        Ok(Definition { kind, name, formals, value })
     }
 
     fn range(&mut self, part: Parsed<'_>) -> Result<Range, Diagnostic> {
@@ -178,15 +197,43 @@ impl Builder<'_> {
         })
     }
 
-    fn constraints<'a>(&mut self, parts: impl Iterator<Item = Parsed<'a>>) -> Result<Vec<Constraint>, Diagnostic> {
-        let mut constraints = Vec::new();
+    fn constraints<'a>(&mut self, parts: impl Iterator<Item = Parsed<'a>>) -> Result<Constraints, Diagnostic> {
+        let mut constraints = Constraints::default();
         for part in parts.filter(|part| part.as_rule() == Rule::constraint) {
             let span = self.span(&part);
-            let mut inner = part.into_inner();
+            let mut inner = part.into_inner().peekable();
+            if let Some(join) = inner.next_if(|part| part.as_rule() == Rule::join) {
+                constraints.joins.push(self.join(join)?);
+                continue;
+            }
             let target = self.target(take(&mut inner, Rule::target)?)?;
-            constraints.push(Constraint { target, value: self.take_expression(&mut inner)?, span });
+            constraints.single.push(Constraint { target, value: self.take_expression(&mut inner)?, span });
         }
         Ok(constraints)
+    }
+
+    fn join(&mut self, part: Parsed<'_>) -> Result<Join, Diagnostic> {
+        let span = self.span(&part);
+        let mut inner = part.into_inner().filter(|part| !matches!(part.as_rule(), Rule::kw_join | Rule::kw_at));
+        let (surface, parameter) = (self.take_name(&mut inner)?, self.take_name(&mut inner)?);
+        let position = self.take_expression(&mut inner)?;
+        let mut join = Join { surface, parameter, position, strength: None, is_flipped: false, span };
+        for option in inner {
+            let place = self.span(&option);
+            let is_new = match option.as_rule() {
+                Rule::flip => !std::mem::replace(&mut join.is_flipped, true),
+                _ => {
+                    let mut inner = option.into_inner().filter(|part| part.as_rule() == Rule::expression);
+                    let strength = self.take_expression(&mut inner)?;
+                    join.strength.replace(strength).is_none()
+                }
+            };
+            if !is_new {
+                let finding = Diagnostic::new(Code::DuplicateStatement, "this is said twice of the same join");
+                return Err(finding.at(place));
+            }
+        }
+        Ok(join)
     }
 
     fn target(&mut self, part: Parsed<'_>) -> Result<Unknown, Diagnostic> {
