@@ -1,6 +1,7 @@
 //! `at u = c:` blocks to boundary conditions, counted against the order of the equation.
 
-use super::lower::{Lowering, components};
+use super::form::components;
+use super::lower::Lowering;
 use super::scope::Value;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, MOST_FINDINGS, Span};
 use crate::expr::{ExprId, Variable};

@@ -2,7 +2,8 @@
 
 use rustc_hash::FxHashSet;
 
-use super::lower::{Lowering, components};
+use super::form::components;
+use super::lower::Lowering;
 use super::scope::{Meaning, Scope, Value};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
 use crate::expr::{ExprId, Graph, Node};
@@ -204,6 +205,12 @@ fn text_equation(
     [left, right]: [Expression; 2],
 ) -> Result<PdeOperator, Diagnostic> {
     let (left_form, right_form) = (lowering.form(left)?, lowering.form(right)?);
+    for (side, form) in [(left, &left_form), (right, &right_form)] {
+        if !form.operator.is_empty() {
+            let finding = Diagnostic::new(Code::NotLinear, "an operator is not applied to S");
+            return Err(finding.at(lowering.tree.span(side)).hint("write S behind it: `(∂²/∂u² + ∂²/∂v²) S`"));
+        }
+    }
     let mut terms: Vec<PdeTerm> = Vec::new();
     let signed =
         left_form.unknown.iter().map(|term| (false, term)).chain(right_form.unknown.iter().map(|term| (true, term)));

@@ -5,7 +5,9 @@
 
 mod boundary;
 mod equation;
+mod form;
 mod lower;
+mod operator;
 mod scope;
 
 use lower::Lowering;

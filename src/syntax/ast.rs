@@ -154,6 +154,8 @@ pub enum Kind {
     SquareRoot(Vec<Expression>),
     /// S or a derivative of it.
     Unknown(Unknown),
+    /// A derivative without what it is applied to: `∂²/∂u²`.
+    Operator(Derivative),
     /// Terms, each with whether it is subtracted.
     Sum(Vec<(bool, Expression)>),
     /// Factors, each with whether it divides.
@@ -167,7 +169,7 @@ pub enum Kind {
 impl Kind {
     fn operands(&self) -> Vec<Expression> {
         match self {
-            Kind::Number(_) | Kind::Name(_) | Kind::Unknown(_) => Vec::new(),
+            Kind::Number(_) | Kind::Name(_) | Kind::Unknown(_) | Kind::Operator(_) => Vec::new(),
             Kind::Application(_, operands)
             | Kind::Call(_, operands)
             | Kind::SquareRoot(operands)

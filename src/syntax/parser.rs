@@ -88,6 +88,7 @@ fn words(rule: Rule) -> Option<&'static str> {
         | Rule::bare_factor
         | Rule::unknown
         | Rule::derivative
+        | Rule::differential
         | Rule::function
         | Rule::bare_argument
         | Rule::root_sign => "an expression",
@@ -127,8 +128,8 @@ fn advice(text: &str, at: usize) -> Option<String> {
     if rest.starts_with("==") || (rest.starts_with('=') && before.ends_with('=')) {
         return Some("write a single `=`".to_owned());
     }
-    if ["∂²/∂", "∂/∂", "d2/d"].iter().any(|operator| text.contains(operator)) {
-        return Some("operators in brackets are not read: write out each term, such as `∂⁴S/∂u²∂v²`".to_owned());
+    if rest.starts_with('∂') || before.ends_with('∂') {
+        return Some("a derivative is written `∂²S/∂u²` or `∂⁴S/∂u²∂v²`, an operator `∂²/∂u²`".to_owned());
     }
     for word in ["surface", "patch", "join", "curve"] {
         if text.strip_prefix(word).is_some_and(|tail| tail.starts_with([' ', '\t'])) {

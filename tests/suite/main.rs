@@ -18,6 +18,7 @@ mod exact;
 mod exports;
 mod language;
 mod meshes;
+mod operators;
 mod polynomial;
 mod reference;
 mod robustness;
