@@ -16,6 +16,7 @@ mod documents;
 mod evaluators;
 mod exact;
 mod exports;
+mod fourier;
 mod language;
 mod meshes;
 mod operators;

@@ -64,7 +64,7 @@ fn operator_stands_in_front_of_terms_and_of_brackets_with_s() {
     assert_eq!(terms("2 a(∂²/∂u² + ∂²/∂v²) S = 0"), terms("2 a d2S/du2 + 2 a d2S/dv2 = 0"));
     assert_eq!(terms("a(∂²/∂u²)^2 S = 0"), terms("a d4S/du4 = 0"));
     assert_eq!(terms("∂²/∂u² ∂²S/∂v² + (∂/∂u)(S) = 0"), terms("d4S/du2dv2 + dS/du = 0"));
-    assert_eq!(terms("((∂²/∂u²)/a) S = 0"), terms("1/a d2S/du2 = 0"));
+    assert_eq!(terms("((∂²/∂u²)/a) S = 0"), terms("(1/a) d2S/du2 = 0"));
     assert_eq!(terms("d2/du2 (S - [u^2, v, 0]) = 0"), terms("d2S/du2 = [2, 0, 0]"));
 }
 

@@ -239,6 +239,7 @@ impl PolynomialSolver {
             modes: self.plan.terms,
             condition: Some(1.0),
             amplification: None,
+            truncation: None,
             rank: 0,
             unknowns: 0,
             warnings: self.equation.note.iter().cloned().collect::<Diagnostics>(),

@@ -206,6 +206,7 @@ impl SineSolver {
             modes: self.terms,
             condition: Some(1.0),
             amplification: None,
+            truncation: None,
             rank: 0,
             unknowns: 0,
             warnings: self.equation.note.iter().cloned().collect::<Diagnostics>(),
