@@ -3,11 +3,13 @@
 //!
 //! Every method is a folder here and a line in [`METHODS`]; `--help`, the documentation's table and the
 //! conformance tests list them from there. A method says why it does not accept a problem. It never measures
-//! its own solution: [`verify`](crate::verify) does. What fitted methods share is in `equation`.
+//! its own solution: [`verify`](crate::verify) does. What fitted methods share is in `equation` and `fitting`.
 
 mod equation;
 mod exact;
+mod fitting;
 mod fourier;
+mod legendre;
 mod polynomial;
 mod settings;
 mod sine;
@@ -125,12 +127,18 @@ pub struct Options {
     pub limits: Limits,
 }
 
-/// Every method.
-pub const METHODS: &[&dyn Method] =
-    &[&exact::Exact, &fourier::Fourier, &polynomial::Polynomial, &sine::SineSeries, &static_blend::StaticBlend];
+/// Every method; those after [`AUTOMATIC`] are chosen by name alone.
+pub const METHODS: &[&dyn Method] = &[
+    &exact::Exact,
+    &fourier::Fourier,
+    &legendre::Legendre,
+    &polynomial::Polynomial,
+    &sine::SineSeries,
+    &static_blend::StaticBlend,
+];
 
 /// The methods that `auto` tries, in this order.
-pub const AUTOMATIC: &[&dyn Method] = &[&exact::Exact, &fourier::Fourier, &polynomial::Polynomial];
+pub const AUTOMATIC: &[&dyn Method] = &[&exact::Exact, &fourier::Fourier, &legendre::Legendre];
 
 /// The name that leaves the choice to the program.
 pub const AUTO: &str = "auto";

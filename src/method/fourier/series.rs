@@ -145,7 +145,7 @@ impl BoundaryData {
                 Length::Adaptive(tolerance, most) => {
                     let needed = shortest(&coefficients, tolerance * size);
                     let is_seen = needed.is_some_and(|needed| needed <= (count / 4).min(most));
-                    (needed.unwrap_or(most).min(most), is_seen || count / 8 >= most.max(1))
+                    (needed.unwrap_or(most).min(most), is_seen || count >= MOST.max(8 * most))
                 }
                 Length::Fixed(modes) => {
                     let is_settled =
@@ -158,7 +158,7 @@ impl BoundaryData {
                 // A function between whose samples nothing can be seen is seen by the points of the measurement.
                 let is_true = match length {
                     Length::Adaptive(tolerance, most) => {
-                        series.left_out <= 4.0 * tolerance * size || count / 8 >= most.max(1)
+                        series.left_out <= 4.0 * tolerance * size || count >= MOST.max(8 * most)
                     }
                     Length::Fixed(_) => true,
                 };

@@ -133,7 +133,7 @@ pub const ROWS: &[Row] = &[
     (Before("pde d99999999999999999999S/du99999999999999999999 = 0\n"), LimitReached, "1:5", "d99999999999999999999S/du99999999999999999999", "a derivative of an absurd order is above the limit `derivative-order` of 8"),
     (Data("abs(v)"), NotDifferentiable, "1:16", "abs(v)", "`abs` has no derivative, and its derivative `vv` is needed"),
     (Data("(1+v+t)^200"), LimitReached, "1:16", "(1+v+t)^200", "this expands to more terms than the limit `monomials` of 4096"),
-    (After("solve magic"), UnknownSetting, "3:7", "magic", "auto, exact, polynomial, sine"),
+    (After("solve magic"), UnknownSetting, "3:7", "magic", "auto, exact, fourier, legendre, polynomial, sine"),
     (After("solve sine, tems = 4"), UnknownSetting, "3:20", "4", "there is no setting `tems`"),
     (After("solve sine, terms = many"), UnknownSetting, "3:21", "many", "`many` is not a number of terms"),
     (After("solve sine, points = 11"), UnknownSetting, "3:22", "11", "`11` is not a grid"),
