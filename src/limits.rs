@@ -25,6 +25,8 @@ pub struct Limits {
     pub basis_functions: usize,
     /// Functions of the closure of one patch's basis.
     pub closure: usize,
+    /// Wave numbers of one Fourier series.
+    pub modes: usize,
     /// Order of differentiation in each of u, v and t.
     pub derivative_order: usize,
     /// Unknowns of one linear system.
@@ -51,6 +53,7 @@ impl Default for Limits {
             monomials: 4096,
             basis_functions: 256,
             closure: 512,
+            modes: 256,
             derivative_order: 8,
             unknowns: 20_000,
             system_entries: 200_000_000,
@@ -63,7 +66,7 @@ impl Default for Limits {
 
 impl Limits {
     /// Every limit with the name it has on the command line (`--limits nesting=64`).
-    pub fn named(&mut self) -> [(&'static str, &mut usize); 15] {
+    pub fn named(&mut self) -> [(&'static str, &mut usize); 16] {
         [
             ("source-bytes", &mut self.source_bytes),
             ("nesting", &mut self.nesting),
@@ -74,6 +77,7 @@ impl Limits {
             ("monomials", &mut self.monomials),
             ("basis-functions", &mut self.basis_functions),
             ("closure", &mut self.closure),
+            ("modes", &mut self.modes),
             ("derivative-order", &mut self.derivative_order),
             ("unknowns", &mut self.unknowns),
             ("system-entries", &mut self.system_entries),

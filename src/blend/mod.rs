@@ -1,12 +1,13 @@
 //! The whole pipeline in one value, for embedding: text in, solved surfaces out.
 //!
-//! A [`Blend`] is compiled once. Changing a parameter ([`Blend::set`]) changes numbers only: nothing is parsed,
-//! decomposed or compiled again. The library prints nothing, spawns nothing and reads no files.
+//! A [`Blend`] is compiled once. Changing a parameter ([`Blend::set`]) changes numbers only: nothing is parsed or
+//! decomposed again, and nothing compiled, unless a term of the equation vanishes or returns, or `auto` chooses
+//! another method. The library prints nothing, spawns nothing and reads no files.
 
 use crate::decompose::{Decomposition, decompose};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source};
 use crate::expr::canonical_name;
-use crate::method::{self, Options, Settings, Solution, Solver};
+use crate::method::{self, Choice, Numbers, Options, Settings, Solution, Solver};
 use crate::problem::{Bindings, DomainValues, Patch, Problem};
 use crate::resolve::{resolve, set_parameter};
 use crate::syntax;
@@ -30,8 +31,31 @@ pub struct Prepared {
     /// Ranges of u, v and t for the current parameters.
     pub domain: DomainValues,
     solver: Box<dyn Solver>,
-    /// What the choice of the method leaves to say about every solution.
-    notes: Diagnostics,
+    /// The method, and what its choice leaves to say about every solution.
+    choice: Choice,
+}
+
+/// What a change of parameters asks for.
+enum Update {
+    /// New ranges; the solver takes parameters as they come.
+    Numbers(DomainValues),
+    /// Another equation or another method.
+    Anew(Box<Prepared>),
+}
+
+/// The method that `options` or the document ask for.
+fn choose(
+    decomposition: &Decomposition,
+    (bindings, domain): (&Bindings, &DomainValues),
+    options: &Options,
+) -> Result<Choice, Diagnostic> {
+    let request = &decomposition.patch.solve;
+    let (name, origin) = match options.method.as_deref() {
+        Some(name) => (Some(name), None),
+        None => (request.method.as_deref(), request.origin),
+    };
+    let numbers = Numbers { params: bindings.as_slice(), domain };
+    method::choose(name, origin, decomposition, &numbers, &options.limits)
 }
 
 /// Methods meet the boundary to rounding by construction; this is what ill-conditioned constraints may cost, relative
@@ -75,14 +99,15 @@ impl Blend {
         let source = Source::new(canonical_name(name), value);
         set_parameter(&mut problem, name, &source, &self.options.limits)?;
         let bindings = Bindings::evaluate(&problem).map_err(|finding| vec![finding])?;
-        let domains: Vec<DomainValues> = self
-            .patches
-            .iter()
-            .map(|prepared| prepared.patch().domain.evaluate(&problem, &bindings))
-            .collect::<Result<_, _>>()
-            .map_err(|finding| vec![finding])?;
-        for (prepared, domain) in self.patches.iter_mut().zip(domains) {
-            prepared.domain = domain;
+        let mut updates = Vec::with_capacity(self.patches.len());
+        for prepared in &self.patches {
+            updates.push(prepared.update(&problem, &bindings, &self.options).map_err(|finding| vec![finding])?);
+        }
+        for (prepared, update) in self.patches.iter_mut().zip(updates) {
+            match update {
+                Update::Numbers(domain) => prepared.domain = domain,
+                Update::Anew(anew) => *prepared = *anew,
+            }
         }
         (self.problem, self.bindings) = (problem, bindings);
         Ok(())
@@ -126,24 +151,14 @@ impl Prepared {
         options: &Options,
     ) -> Result<Prepared, Diagnostic> {
         let domain = decomposition.patch.domain.evaluate(problem, bindings)?;
-        let request = &decomposition.patch.solve;
-        let mut stated = Settings::read(&request.settings)?;
-        let method = match options.method.as_deref() {
-            Some(name) => {
-                // The document's settings are those of its own method.
-                if request.method.as_deref() != Some(name) {
-                    stated = Settings::default();
-                }
-                method::choose(Some(name), None, &decomposition, &options.limits)?
-            }
-            None => method::choose(request.method.as_deref(), request.origin, &decomposition, &options.limits)?,
-        };
-        let asked = options.method.as_deref().or(request.method.as_deref()).unwrap_or(method::AUTO);
-        let notes = if asked == method::AUTO {
-            method::passed_over(method, &decomposition, &options.limits)
-        } else {
-            Vec::new()
-        };
+        let decomposition = decomposition.specialise(bindings.as_slice());
+        let mut stated = Settings::read(&decomposition.patch.solve.settings)?;
+        // The document's settings are those of its own method.
+        if options.method.as_ref().is_some_and(|name| decomposition.patch.solve.method.as_ref() != Some(name)) {
+            stated = Settings::default();
+        }
+        let choice = choose(&decomposition, (bindings, &domain), options)?;
+        let method = choice.method;
         let settings = options.settings.clone().over(stated);
         if let Some((name, origin)) = settings.given().into_iter().find(|(name, _)| !method.settings().contains(name)) {
             let message = format!("the method `{}` has no setting `{name}`", method.name());
@@ -151,7 +166,23 @@ impl Prepared {
             return Err(finding.hint(format!("its settings: {}", method.settings().join(", "))));
         }
         let solver = method.prepare(&decomposition, &Options { settings, ..options.clone() })?;
-        Ok(Prepared { decomposition, domain, solver, notes })
+        Ok(Prepared { decomposition, domain, solver, choice })
+    }
+
+    /// What new values of the parameters change.
+    fn update(&self, problem: &Problem, bindings: &Bindings, options: &Options) -> Result<Update, Diagnostic> {
+        let domain = self.patch().domain.evaluate(problem, bindings)?;
+        let is_same_equation = self.decomposition.is_specialised_to(bindings.as_slice());
+        // The first choice of `auto` does not depend on numbers otherwise.
+        let may_change = self.choice.is_automatic && !self.choice.notes.is_empty();
+        let is_same_method = || -> Result<bool, Diagnostic> {
+            let again = choose(&self.decomposition, (bindings, &domain), options)?;
+            Ok(again.method.name() == self.choice.method.name())
+        };
+        if is_same_equation && (!may_change || is_same_method()?) {
+            return Ok(Update::Numbers(domain));
+        }
+        Ok(Update::Anew(Box::new(Prepared::new(problem, bindings, self.decomposition.clone(), options)?)))
     }
 
     /// The patch.
@@ -166,7 +197,7 @@ impl Prepared {
     /// As [`Solver::solve`].
     pub fn solve(&self, bindings: &Bindings, t: f64) -> Result<Solution, Diagnostic> {
         let mut solution = self.solver.solve(bindings.as_slice(), [self.domain.u, self.domain.v], t)?;
-        solution.report.warnings.splice(0..0, self.notes.iter().cloned());
+        solution.report.warnings.splice(0..0, self.choice.notes.iter().cloned());
         Ok(solution)
     }
 
@@ -183,7 +214,10 @@ impl Prepared {
     ) -> Result<(Solution, Verification), Diagnostic> {
         let solution = self.solve(bindings, t)?;
         let measured = self.verify(problem, bindings, &solution, t)?;
-        let miss = measured.boundary_error() / measured.data_size.max(1.0);
+        // A truncated series says by how much it misses its boundary; its own measurement may lie between these points.
+        let announced = solution.report.truncation.filter(|truncation| !truncation.has_remainder);
+        let announced = announced.map_or(0.0, |truncation| 2.0 * truncation.left_out);
+        let miss = (measured.boundary_error() - announced) / measured.data_size.max(1.0);
         let residual = if solution.report.is_exact { measured.relative_residual() } else { 0.0 };
         // Written so that NaN is refused.
         if miss <= LARGEST_MISS && residual <= LARGEST_EXACT_RESIDUAL {

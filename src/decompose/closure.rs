@@ -45,7 +45,7 @@ pub struct DerivativeMatrix {
 /// are more functions than [`Limits::closure`].
 pub fn close(decomposition: &Decomposition, limits: &Limits) -> Result<Closure, Diagnostic> {
     let mut graph = decomposition.graph.clone();
-    let operator = &decomposition.patch.operator;
+    let operator = &decomposition.operator;
     let mut functions: IndexMap<ExprId, Option<Span>, FxBuildHasher> =
         decomposition.basis.iter().map(|function| (function.expr, function.origin)).collect();
     let mut force_terms: Vec<Monomials> = Vec::new();

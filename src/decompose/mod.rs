@@ -21,7 +21,7 @@ use rustc_hash::FxBuildHasher;
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::{Derivative, ExprId, Graph};
 use crate::limits::Limits;
-use crate::problem::{Patch, Problem};
+use crate::problem::{Patch, PdeOperator, PdeTerm, Problem};
 
 /// The boundary data of one patch in terms of one basis.
 #[derive(Debug, Clone)]
@@ -30,6 +30,8 @@ pub struct Decomposition {
     pub graph: Graph,
     /// The patch it belongs to.
     pub patch: Patch,
+    /// The patch's equation, without the terms that [`Decomposition::specialise`] found to be zero.
+    pub operator: PdeOperator,
     /// The basis, in order of first use.
     pub basis: Vec<BasisFunction>,
     /// For each condition of the patch, in order, the vector coefficient of each basis function.
@@ -94,7 +96,45 @@ pub fn decompose(problem: &Problem, patch: &Patch, limits: &Limits) -> Result<De
     let coefficients = (0..patch.conditions.len())
         .map(|condition| rows.values().map(|(_, each)| each.get(condition).copied().unwrap_or([zero; 3])).collect())
         .collect();
-    Ok(Decomposition { graph, patch: patch.clone(), basis, coefficients })
+    Ok(Decomposition { graph, patch: patch.clone(), operator: patch.operator.clone(), basis, coefficients })
+}
+
+impl Decomposition {
+    /// The derivatives of S that the equation multiplies by zero for these values of the params.
+    ///
+    /// Never all that decide the order in u: where they vanish, the conditions ask for too much, which a method
+    /// explains.
+    #[must_use]
+    pub fn vanishing(&self, params: &[f64]) -> Vec<Derivative> {
+        let terms = &self.patch.operator.terms;
+        let is_zero = |expr: &ExprId| {
+            self.graph.dependence(*expr).is_constant() && self.graph.value(*expr, params, [f64::NAN; 3]) == 0.0
+        };
+        let vanishes = |term: &&PdeTerm| term.coefficient.iter().all(is_zero);
+        let order = self.patch.operator.order_in_u();
+        let leading_vanish = terms.iter().filter(|term| term.derivative.u == order).all(|term| vanishes(&term));
+        let found = terms.iter().filter(vanishes).map(|term| term.derivative);
+        found.filter(|derivative| derivative.u < order || !leading_vanish).collect()
+    }
+
+    /// Whether [`Decomposition::operator`] is the equation for these values of the params.
+    #[must_use]
+    pub fn is_specialised_to(&self, params: &[f64]) -> bool {
+        let vanishing = self.vanishing(params);
+        let is_left = |derivative: &Derivative| !vanishing.contains(derivative);
+        let left = self.patch.operator.terms.iter().map(|term| term.derivative).filter(is_left);
+        left.eq(self.operator.terms.iter().map(|term| term.derivative))
+    }
+
+    /// Leaves the terms that are zero for these values of the params out of [`Decomposition::operator`]: derivatives
+    /// that it no longer takes need not exist, and need no closure.
+    #[must_use]
+    pub fn specialise(mut self, params: &[f64]) -> Decomposition {
+        let vanishing = self.vanishing(params);
+        self.operator = self.patch.operator.clone();
+        self.operator.terms.retain(|term| !vanishing.contains(&term.derivative));
+        self
+    }
 }
 
 /// Conditions and components in the order in which they are written; those without a place keep theirs.

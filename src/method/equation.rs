@@ -9,14 +9,29 @@ use std::sync::Arc;
 
 use nalgebra::DMatrix;
 
-use super::Options;
+use super::{Options, Size};
 use crate::decompose::{Decomposition, bounded_derivative};
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::eval::{Backend, Evaluator, Program, Samples, compile};
 use crate::expr::{Derivative, ExprId, Graph};
 use crate::limits::Limits;
-use crate::surface::{Basis, Coefficients};
+use crate::numeric::nodes;
+use crate::surface::{Basis, Coefficients, SeparableSurface};
 use crate::trial::{CorrectedTrial, TrialFamily};
+
+/// What a fit at L x M points begins with.
+pub struct Discretisation {
+    /// The numbers of the boundary conditions.
+    pub boundary: Boundary,
+    /// The functions of u.
+    pub modes: CorrectedTrial,
+    /// Nodes in u.
+    pub u: Vec<f64>,
+    /// Nodes in v.
+    pub v: Vec<f64>,
+    /// Which basis functions the nodes in v see.
+    pub is_visible: Vec<bool>,
+}
 
 /// A compiled equation.
 pub struct Equation {
@@ -104,7 +119,7 @@ impl Equation {
     ///
     /// # Errors
     /// [`Code::ParameterNotFinite`] when one is not finite.
-    pub fn boundary(&self, params: &[f64]) -> Result<Boundary, Diagnostic> {
+    fn boundary(&self, params: &[f64]) -> Result<Boundary, Diagnostic> {
         let mut values = vec![0.0; self.boundary_values.program().outputs()];
         let nowhere = [0.0];
         self.boundary_values
@@ -123,11 +138,50 @@ impl Equation {
         })
     }
 
+    /// Evaluates the boundary, and `count` functions of `family` that are corrected for it, for a grid of points.
+    ///
+    /// # Errors
+    /// As [`Equation::boundary`] and [`Basis::values`]; [`Code::DependentConstraints`].
+    pub fn discretise(
+        &self,
+        (family, count): (Arc<dyn TrialFamily>, usize),
+        points: Size,
+        (params, [range_u, range_v], t): (&[f64], [[f64; 2]; 2], f64),
+    ) -> Result<Discretisation, Diagnostic> {
+        let boundary = self.boundary(params)?;
+        let modes = self.modes(family, count, range_u, &boundary)?;
+        let (u, v) = (nodes(points.kind, points.u, range_u), nodes(points.kind, points.v, range_v));
+        let is_visible = self.visible_on(&v, range_v, t, params)?;
+        Ok(Discretisation { boundary, modes, u, v, is_visible })
+    }
+
+    /// Coefficients for `modes` functions of u and their derivatives in t, all zero.
+    pub fn no_coefficients(&self, modes: usize) -> Vec<Coefficients> {
+        vec![vec![[0.0; 3]; modes * self.basis.len()]; self.orders_in_t + 1]
+    }
+
+    /// The surface with these coefficients, which hold at `t` alone.
+    pub fn surface(
+        &self,
+        modes: CorrectedTrial,
+        coefficients: Vec<Coefficients>,
+        params: &[f64],
+        t: f64,
+    ) -> SeparableSurface {
+        SeparableSurface {
+            modes: Arc::new(modes),
+            basis: Arc::clone(&self.basis),
+            params: params.to_vec(),
+            coefficients,
+            instant: Some(t),
+        }
+    }
+
     /// `count` functions of `family`, corrected for the boundary.
     ///
     /// # Errors
     /// [`Code::DependentConstraints`].
-    pub fn modes(
+    fn modes(
         &self,
         family: Arc<dyn TrialFamily>,
         count: usize,
@@ -163,13 +217,7 @@ impl Equation {
     ///
     /// # Errors
     /// As [`Basis::values`].
-    pub fn visible_on(
-        &self,
-        v: &[f64],
-        [low, high]: [f64; 2],
-        t: f64,
-        params: &[f64],
-    ) -> Result<Vec<bool>, Diagnostic> {
+    fn visible_on(&self, v: &[f64], [low, high]: [f64; 2], t: f64, params: &[f64]) -> Result<Vec<bool>, Diagnostic> {
         // A shift by the golden section of a cell: no function of a whole wave number is zero on both grids.
         let shift = 0.381_966 * (high - low) / v.len() as f64;
         let between: Vec<f64> = v.iter().map(|v| (v + shift).min(high)).collect();

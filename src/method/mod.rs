@@ -3,10 +3,13 @@
 //!
 //! Every method is a folder here and a line in [`METHODS`]; `--help`, the documentation's table and the
 //! conformance tests list them from there. A method says why it does not accept a problem. It never measures
-//! its own solution: [`verify`](crate::verify) does. What fitted methods share is in `equation`.
+//! its own solution: [`verify`](crate::verify) does. What fitted methods share is in `equation` and `fitting`.
 
 mod equation;
 mod exact;
+mod fitting;
+mod fourier;
+mod legendre;
 mod polynomial;
 mod settings;
 mod sine;
@@ -20,6 +23,7 @@ use crate::decompose::Decomposition;
 use crate::diagnostic::{Class, Code, Diagnostic, Diagnostics, Span};
 use crate::eval::Backend;
 use crate::limits::Limits;
+use crate::problem::DomainValues;
 use crate::surface::SeparableSurface;
 
 /// A way to solve a patch.
@@ -38,6 +42,14 @@ pub trait Method: Sync {
     /// # Errors
     /// [`Code::UnsupportedByMethod`] with the reason.
     fn accepts(&self, decomposition: &Decomposition, limits: &Limits) -> Result<(), Diagnostic>;
+
+    /// Whether it is a good choice for these numbers, for a problem that it accepts.
+    ///
+    /// # Errors
+    /// [`Code::UnsupportedByMethod`] with the reason.
+    fn suits(&self, _decomposition: &Decomposition, _numbers: &Numbers<'_>) -> Result<(), Diagnostic> {
+        Ok(())
+    }
 
     /// Compiles everything that does not depend on numbers.
     ///
@@ -83,12 +95,23 @@ pub struct Report {
     pub condition: Option<f64>,
     /// How much larger solutions can be than those of a definite equation, for exact methods.
     pub amplification: Option<f64>,
+    /// What a series leaves out of the boundary data, for methods that truncate one.
+    pub truncation: Option<Truncation>,
     /// The sum of the ranks of the systems solved.
     pub rank: usize,
     /// The sum of their unknowns; equal to the rank unless something was left undetermined.
     pub unknowns: usize,
     /// What the user should know.
     pub warnings: Diagnostics,
+}
+
+/// The part of the boundary data that a truncated series leaves out.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Truncation {
+    /// The largest value that is left out, of any condition and component.
+    pub left_out: f64,
+    /// Whether the surface meets its boundary all the same; otherwise it misses it by `left_out`.
+    pub has_remainder: bool,
 }
 
 /// What a preparation is given besides the problem.
@@ -104,14 +127,43 @@ pub struct Options {
     pub limits: Limits,
 }
 
-/// Every method, in the order in which `auto` tries them.
-pub const METHODS: &[&dyn Method] =
-    &[&exact::Exact, &polynomial::Polynomial, &sine::SineSeries, &static_blend::StaticBlend];
+/// Every method; those after [`AUTOMATIC`] are chosen by name alone.
+pub const METHODS: &[&dyn Method] = &[
+    &exact::Exact,
+    &fourier::Fourier,
+    &legendre::Legendre,
+    &polynomial::Polynomial,
+    &sine::SineSeries,
+    &static_blend::StaticBlend,
+];
+
+/// The methods that `auto` tries, in this order.
+pub const AUTOMATIC: &[&dyn Method] = &[&exact::Exact, &fourier::Fourier, &legendre::Legendre];
 
 /// The name that leaves the choice to the program.
 pub const AUTO: &str = "auto";
 
-/// The method called `name`; `auto`, or no name, is the first in [`METHODS`] that accepts the problem.
+/// The numbers of a problem, as far as the choice of a method goes by them.
+#[derive(Debug, Clone, Copy)]
+pub struct Numbers<'a> {
+    /// A value for every symbol of the decomposition's graph.
+    pub params: &'a [f64],
+    /// Ranges of u, v and t.
+    pub domain: &'a DomainValues,
+}
+
+/// A chosen method.
+#[derive(Clone)]
+pub struct Choice {
+    /// The method.
+    pub method: &'static dyn Method,
+    /// Whether `auto` chose it.
+    pub is_automatic: bool,
+    /// Why `auto` passed over those it tried before: one note each.
+    pub notes: Diagnostics,
+}
+
+/// The method called `name`; `auto`, or no name, is the first in [`AUTOMATIC`] that accepts the problem.
 ///
 /// # Errors
 /// [`Code::UnknownSetting`] for a name that no method has, [`Code::UnsupportedByMethod`] with every reason when
@@ -120,52 +172,50 @@ pub fn choose(
     name: Option<&str>,
     origin: Option<Span>,
     decomposition: &Decomposition,
+    numbers: &Numbers<'_>,
     limits: &Limits,
-) -> Result<&'static dyn Method, Diagnostic> {
-    match name {
-        Some(name) if name != AUTO => {
-            let Some(method) = METHODS.iter().find(|method| method.name() == name) else {
-                let known: Vec<&str> =
-                    std::iter::once(AUTO).chain(METHODS.iter().map(|method| method.name())).collect();
-                let finding = Diagnostic::new(Code::UnknownSetting, format!("there is no method `{name}`"));
-                return Err(finding.at(origin).hint(format!("methods: {}", known.join(", "))));
-            };
-            method
-                .accepts(decomposition, limits)
-                .map_err(|finding| if finding.span.is_none() { finding.at(origin) } else { finding })?;
-            Ok(*method)
-        }
-        _ => {
-            let mut reasons = Vec::new();
-            for method in METHODS {
-                match method.accepts(decomposition, limits) {
-                    Ok(()) => return Ok(*method),
-                    // A limit says nothing about the problem; it is the user's to raise.
-                    Err(reason) if reason.class() == Class::Limit => return Err(reason),
-                    Err(reason) => reasons.push((method.name(), reason)),
-                }
-            }
-            let mut finding = Diagnostic::new(Code::UnsupportedByMethod, "no method can treat this problem");
-            finding.span = reasons.iter().find_map(|(_, reason)| reason.span).or(origin);
-            for (name, reason) in reasons {
-                finding = finding.hint(format!("{name}: {}", reason.message));
-            }
-            Err(finding)
-        }
-    }
+) -> Result<Choice, Diagnostic> {
+    let Some(name) = name.filter(|name| *name != AUTO) else {
+        return choose_automatically(origin, decomposition, numbers, limits);
+    };
+    let Some(method) = METHODS.iter().copied().find(|method| method.name() == name) else {
+        let known: Vec<&str> = std::iter::once(AUTO).chain(METHODS.iter().map(|method| method.name())).collect();
+        let finding = Diagnostic::new(Code::UnknownSetting, format!("there is no method `{name}`"));
+        return Err(finding.at(origin).hint(format!("methods: {}", known.join(", "))));
+    };
+    method
+        .accepts(decomposition, limits)
+        .map_err(|finding| if finding.span.is_none() { finding.at(origin) } else { finding })?;
+    Ok(Choice { method, is_automatic: false, notes: Diagnostics::new() })
 }
 
-/// Why `auto`, when it chooses `method`, passed over the methods before it: one note each.
-#[must_use]
-pub fn passed_over(method: &dyn Method, decomposition: &Decomposition, limits: &Limits) -> Diagnostics {
-    let before = METHODS.iter().take_while(|other| other.name() != method.name());
-    let refusals =
-        before.filter_map(|other| other.accepts(decomposition, limits).err().map(|reason| (other.name(), reason)));
-    let note = |(name, reason): (&str, Diagnostic)| {
-        let message = format!("solved by `{}`, not by `{name}`: {}", method.name(), reason.message);
-        Diagnostic::new(Code::MethodPassedOver, message).at(reason.span)
-    };
-    refusals.map(note).collect()
+fn choose_automatically(
+    origin: Option<Span>,
+    decomposition: &Decomposition,
+    numbers: &Numbers<'_>,
+    limits: &Limits,
+) -> Result<Choice, Diagnostic> {
+    let mut reasons: Vec<(&str, Diagnostic)> = Vec::new();
+    for method in AUTOMATIC.iter().copied() {
+        match method.accepts(decomposition, limits).and_then(|()| method.suits(decomposition, numbers)) {
+            Ok(()) => {
+                let note = |(name, reason): (&str, Diagnostic)| {
+                    let message = format!("solved by `{}`, not by `{name}`: {}", method.name(), reason.message);
+                    Diagnostic::new(Code::MethodPassedOver, message).at(reason.span)
+                };
+                return Ok(Choice { method, is_automatic: true, notes: reasons.into_iter().map(note).collect() });
+            }
+            // A limit says nothing about the problem; it is the user's to raise.
+            Err(reason) if reason.class() == Class::Limit => return Err(reason),
+            Err(reason) => reasons.push((method.name(), reason)),
+        }
+    }
+    let mut finding = Diagnostic::new(Code::UnsupportedByMethod, "no method can treat this problem");
+    finding.span = reasons.iter().find_map(|(_, reason)| reason.span).or(origin);
+    for (name, reason) in reasons {
+        finding = finding.hint(format!("{name}: {}", reason.message));
+    }
+    Err(finding)
 }
 
 /// The systems that a fitted method is about to solve.

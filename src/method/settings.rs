@@ -13,6 +13,10 @@ pub struct Settings {
     pub points: Option<(Size, Option<Span>)>,
     /// Whether coefficients of all basis functions are fitted together.
     pub fit: Option<(Fit, Option<Span>)>,
+    /// The number of wave numbers of a Fourier series.
+    pub modes: Option<(usize, Option<Span>)>,
+    /// Whether the part that a truncated series leaves out is carried across the blend.
+    pub remainder: Option<(bool, Option<Span>)>,
     /// The tolerance of adaptive methods.
     pub tolerance: Option<(f64, Option<Span>)>,
 }
@@ -77,6 +81,8 @@ impl Settings {
             terms: self.terms.or(other.terms),
             points: self.points.or(other.points),
             fit: self.fit.or(other.fit),
+            modes: self.modes.or(other.modes),
+            remainder: self.remainder.or(other.remainder),
             tolerance: self.tolerance.or(other.tolerance),
         }
     }
@@ -105,6 +111,8 @@ impl Settings {
             ("terms", self.terms.map(|(_, origin)| origin)),
             ("points", self.points.map(|(_, origin)| origin)),
             ("fit", self.fit.map(|(_, origin)| origin)),
+            ("modes", self.modes.map(|(_, origin)| origin)),
+            ("remainder", self.remainder.map(|(_, origin)| origin)),
             ("tolerance", self.tolerance.map(|(_, origin)| origin)),
         ];
         all.into_iter().filter_map(|(name, origin)| origin.map(|origin| (name, origin))).collect()
@@ -118,6 +126,8 @@ impl Settings {
             terms: self.terms.filter(|_| has("terms")),
             points: self.points.filter(|_| has("points")),
             fit: self.fit.filter(|_| has("fit")),
+            modes: self.modes.filter(|_| has("modes")),
+            remainder: self.remainder.filter(|_| has("remainder")),
             tolerance: self.tolerance.filter(|_| has("tolerance")),
         }
     }
@@ -143,6 +153,22 @@ impl Settings {
                 self.fit = Some((fit, origin));
             }
             "points" => self.points = Some((Size::read(value).map_err(|finding| finding.at(origin))?, origin)),
+            "modes" => {
+                let wrong =
+                    || Diagnostic::new(Code::UnknownSetting, format!("`{value}` is not a number of modes")).at(origin);
+                self.modes = Some((value.parse().map_err(|_| wrong().hint("write a whole number"))?, origin));
+            }
+            "remainder" => {
+                let is_on = match value {
+                    "on" => true,
+                    "off" => false,
+                    _ => {
+                        let message = format!("`{value}` does not say what to do with the remainder");
+                        return Err(Diagnostic::new(Code::UnknownSetting, message).at(origin).hint("write on or off"));
+                    }
+                };
+                self.remainder = Some((is_on, origin));
+            }
             "tolerance" => {
                 let wrong =
                     || Diagnostic::new(Code::UnknownSetting, format!("`{value}` is not a tolerance")).at(origin);
@@ -153,7 +179,7 @@ impl Settings {
                 let finding = Diagnostic::new(Code::UnknownSetting, format!("there is no setting `{key}`"));
                 return Err(finding
                     .at(origin)
-                    .hint("settings: terms = K, points = L x M [: midpoints | ends | gauss | chebyshev], fit = joint | per-basis, tolerance = X"));
+                    .hint("settings: terms = K, points = L x M [: midpoints | ends | gauss | chebyshev], fit = joint | per-basis, modes = N, remainder = on | off, tolerance = X"));
             }
         }
         Ok(())

@@ -1,7 +1,8 @@
 //! `at u = c:` blocks to boundary conditions, counted against the order of the equation.
 
+use super::form::components;
 use super::join;
-use super::lower::{Lowering, components};
+use super::lower::Lowering;
 use super::reading::{Fault, Reading};
 use super::scope::{Scope, Value};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
@@ -85,11 +86,7 @@ pub fn resolve(
 }
 
 /// The position of a boundary, symbolically and as a number; `None` where numbers are not known.
-fn edge(
-    boundary: &Boundary,
-    frame: &Frame<'_>,
-    lowering: &mut Lowering<'_>,
-) -> Result<Option<(ExprId, f64)>, Fault> {
+fn edge(boundary: &Boundary, frame: &Frame<'_>, lowering: &mut Lowering<'_>) -> Result<Option<(ExprId, f64)>, Fault> {
     if boundary.variable.text != Variable::U.name() {
         let message = format!("boundaries are at values of u, not of `{}`", boundary.variable.text);
         return Err(Diagnostic::new(Code::UnexpectedText, message)

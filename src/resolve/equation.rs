@@ -2,7 +2,8 @@
 
 use rustc_hash::FxHashSet;
 
-use super::lower::{Lowering, components};
+use super::form::components;
+use super::lower::Lowering;
 use super::reading::{Fault, Reading};
 use super::scope::{Meaning, Scope, Value};
 use crate::diagnostic::{Code, Diagnostic};
@@ -64,9 +65,10 @@ pub fn resolve(
     if let Some(sides) = statement.and_then(|statement| statement.sides) {
         let own = parameters.get(first_own..).unwrap_or_default();
         let used = used_names(&reading.graph, own, reading.tree, sides);
-        for (name, _) in stated.iter().filter(|(name, _)| {
-            !used.contains(&name.text) && !used.contains(&parameter_name(patch, &name.text))
-        }) {
+        for (name, _) in stated
+            .iter()
+            .filter(|(name, _)| !used.contains(&name.text) && !used.contains(&parameter_name(patch, &name.text)))
+        {
             reading.report(unused_coefficient(name));
         }
     }
@@ -184,6 +186,13 @@ fn text_equation(
     [left, right]: [Expression; 2],
 ) -> Result<PdeOperator, Fault> {
     let (left_form, right_form) = (lowering.form(left)?, lowering.form(right)?);
+    for (side, form) in [(left, &left_form), (right, &right_form)] {
+        if !form.operator.is_empty() {
+            let finding = Diagnostic::new(Code::NotLinear, "an operator is not applied to S");
+            let finding = finding.at(lowering.tree.span(side));
+            return Err(finding.hint("write S behind it: `(∂²/∂u² + ∂²/∂v²) S`").into());
+        }
+    }
     let mut terms: Vec<PdeTerm> = Vec::new();
     let signed =
         left_form.unknown.iter().map(|term| (false, term)).chain(right_form.unknown.iter().map(|term| (true, term)));

@@ -1,8 +1,10 @@
 //! `join S1 at u = u1` to boundary conditions, and the trimlines that lie on primary surfaces.
 
 use super::boundary::Stated;
+use super::form::components;
 use super::lower::Lowering;
 use super::reading::Fault;
+use super::scope::Value;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::expr::{Derivative, ExprId, Variable};
 use crate::problem;
@@ -41,17 +43,20 @@ pub fn expand(
         None => lowering.graph.integer(1),
     };
     let factor = if join.is_flipped { lowering.graph.neg(strength) } else { strength };
-    let replacements =
-        Variable::ALL.iter().zip(arguments).map(|(variable, value)| (lowering.graph.variable(*variable), value)).collect();
+    let replacements = Variable::ALL
+        .iter()
+        .zip(arguments)
+        .map(|(variable, value)| (lowering.graph.variable(*variable), value))
+        .collect();
     let mut stated = Vec::new();
     for order in 0..(order_in_u / 2).max(1) {
         let orders = match across {
             Variable::V => Derivative::new(0, order, 0),
             _ => Derivative::new(order, 0, 0),
         };
-        let derivative = lowering.differentiated(&surface, orders, join.span)?;
+        let derivative = lowering.differentiated(Value::Vector(surface.position), orders, join.span)?;
         let scale = lowering.graph.power_integer(factor, i64::try_from(order).unwrap_or(i64::MAX));
-        let value = derivative.map(|expr| {
+        let value = components(derivative).map(|expr| {
             let value = lowering.graph.substitute(expr, &replacements);
             Some(lowering.graph.product([scale, value]))
         });

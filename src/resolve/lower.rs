@@ -1,35 +1,20 @@
 //! Expressions of the tree to expressions of the graph.
 //!
 //! A loop over the parts of an expression, parts first. Every part is a [`Form`]: a value plus a linear
-//! combination of derivatives of S. Boundary data and parameters are forms without an unknown; the equation is
-//! a form with one; what is not linear in S is refused where it arises.
+//! combination of derivatives of S, or of derivatives that wait for S. Boundary data and parameters are forms
+//! without either; the equation is a form with S; what is not linear in S is refused where it arises.
 
 use std::collections::BTreeMap;
 
 use rustc_hash::FxHashMap;
 
+use super::form::{Form, not_linear, scalar};
 use super::reading::Fault;
 use super::scope::{Meaning, Scope, Value};
 use crate::diagnostic::{Code, Diagnostic, Span};
-use crate::expr::{Derivative, ExprId, Graph};
+use crate::expr::{ExprId, Graph};
 use crate::limits::Limits;
 use crate::syntax::ast::{Expression, Kind, Name, Tree, Unknown};
-
-/// `Σ coefficient ∂S + value`
-#[derive(Debug, Clone)]
-pub struct Form {
-    /// The part without S.
-    pub value: Value,
-    /// The coefficient of each derivative of S.
-    pub unknown: BTreeMap<Derivative, Value>,
-}
-
-impl Form {
-    /// A value without S.
-    pub fn of(value: Value) -> Form {
-        Form { value, unknown: BTreeMap::new() }
-    }
-}
 
 /// Lowers expressions of one document.
 pub struct Lowering<'a> {
@@ -65,12 +50,14 @@ impl Lowering<'_> {
     pub fn value(&mut self, root: Expression) -> Result<Value, Fault> {
         // Looked for first: lowering would judge S as part of an equation.
         let mut parts = self.tree.parts(root).into_iter();
-        match parts.find(|part| matches!(self.tree.node(*part).kind, Kind::Unknown(_))) {
+        match parts.find(|part| matches!(self.tree.node(*part).kind, Kind::Unknown(_) | Kind::Operator(_))) {
             None => Ok(self.form(root)?.value),
-            Some(unknown) => {
-                let finding =
-                    Diagnostic::new(Code::NotBoundaryData, "`S` is what is to be found, so it cannot stand here");
-                Err(finding.at(self.tree.span(unknown)).into())
+            Some(found) => {
+                let message = match self.tree.node(found).kind {
+                    Kind::Operator(_) => "a differential operator acts on S in the equation, so it cannot stand here",
+                    _ => "`S` is what is to be found, so it cannot stand here",
+                };
+                Err(Diagnostic::new(Code::NotBoundaryData, message).at(self.tree.span(found)).into())
             }
         }
     }
@@ -105,6 +92,12 @@ impl Lowering<'_> {
             Kind::Partial(partial) => {
                 let arguments = self.scalars(&partial.arguments, known)?;
                 self.partial(partial, &arguments, span)
+            }
+            Kind::Operator(orders) => {
+                self.check_order(*orders, span)?;
+                let (zero, one) = (self.graph.integer(0), self.graph.integer(1));
+                let operator = BTreeMap::from([(*orders, Value::Scalar(one))]);
+                Ok(Form { operator, ..Form::of(Value::Scalar(zero)) })
             }
             Kind::Application(name, arguments) => self.application(name, arguments, known, span),
             Kind::Call(function, arguments) => {
@@ -147,15 +140,10 @@ impl Lowering<'_> {
                 .at(unknown.span)
                 .hint("to treat components differently give a coefficient per component: `[ax, ay, az] ∂²S/∂u²`"));
         }
-        if unknown.derivative.largest() > self.limits.derivative_order {
-            let (order, limit) = (unknown.derivative.largest(), self.limits.derivative_order);
-            let order = if order > 1000 { "an absurd order".to_owned() } else { format!("order {order}") };
-            let message = format!("a derivative of {order} is above the limit `derivative-order` of {limit}");
-            return Err(Diagnostic::new(Code::LimitReached, message).at(unknown.span));
-        }
+        self.check_order(unknown.derivative, unknown.span)?;
         let (zero, one) = (self.graph.integer(0), self.graph.integer(1));
         let unknown = BTreeMap::from([(unknown.derivative, Value::Scalar(one))]);
-        Ok(Form { value: Value::Scalar(zero), unknown })
+        Ok(Form { unknown, ..Form::of(Value::Scalar(zero)) })
     }
 
     /// `f(x)`: a call of a defined function, or a product with a bracket.
@@ -214,53 +202,22 @@ impl Lowering<'_> {
             let form = known.get(term).cloned().ok_or_else(|| missing(span))?;
             forms.push(if *subtracts { self.negate(form) } else { form });
         }
-        let mut unknown: BTreeMap<Derivative, Vec<Value>> = BTreeMap::new();
-        for form in &forms {
-            for (derivative, coefficient) in &form.unknown {
-                unknown.entry(*derivative).or_default().push(*coefficient);
-            }
-        }
         // A term without a value is not a number 0 that a vector could not be added to.
         let zero = self.graph.integer(0);
         let values: Vec<Value> = forms
             .iter()
-            .filter(|form| form.unknown.is_empty() || form.value != Value::Scalar(zero))
+            .filter(|form| form.is_value() || form.value != Value::Scalar(zero))
             .map(|form| form.value)
             .collect();
-        let value = self.add(&values, span)?;
-        let mut sums = BTreeMap::new();
-        for (derivative, coefficients) in unknown {
-            // A scalar coefficient counts for each component.
-            let total = if coefficients.iter().all(|value| matches!(value, Value::Scalar(_))) {
-                self.add(&coefficients, span)?
-            } else {
-                let spread: Vec<Value> = coefficients.iter().map(|value| Value::Vector(components(*value))).collect();
-                self.add(&spread, span)?
-            };
-            sums.insert(derivative, total);
-        }
-        Ok(Form { value, unknown: sums })
-    }
-
-    fn add(&mut self, values: &[Value], span: Span) -> Result<Value, Diagnostic> {
-        let vectors = values.iter().filter(|value| matches!(value, Value::Vector(_))).count();
-        if vectors == 0 {
-            let sum = self.graph.sum(values.iter().map(|value| components(*value)[0]));
-            return Ok(Value::Scalar(sum));
-        }
-        if vectors < values.len() {
-            return Err(Diagnostic::new(Code::NotScalar, "a number and a vector cannot be added").at(span));
-        }
-        let each = |index: usize, graph: &mut Graph| {
-            graph.sum(values.iter().filter_map(|value| components(*value).get(index).copied()))
+        // Beside an operator a number counts for each component, as a factor does.
+        let value = if forms.iter().all(|form| form.operator.is_empty()) {
+            self.add(&values, span)?
+        } else {
+            self.add_coefficients(&values, span)?
         };
-        Ok(Value::Vector([each(0, self.graph), each(1, self.graph), each(2, self.graph)]))
-    }
-
-    fn negate(&mut self, form: Form) -> Form {
-        let value = self.map_value(form.value, Graph::neg);
-        let unknown = form.unknown.into_iter().map(|(at, value)| (at, self.map_value(value, Graph::neg))).collect();
-        Form { value, unknown }
+        let unknown = self.add_terms(forms.iter().map(|form| &form.unknown), span)?;
+        let operator = self.add_terms(forms.iter().map(|form| &form.operator), span)?;
+        Ok(Form { value, unknown, operator })
     }
 
     fn product(
@@ -269,72 +226,44 @@ impl Lowering<'_> {
         known: &FxHashMap<Expression, Form>,
         span: Span,
     ) -> Result<Form, Diagnostic> {
-        // Numbers are multiplied all at once: product after product, n factors would make n²/2 operands.
-        let (mut numbers, mut others) = (Vec::with_capacity(factors.len()), Vec::new());
-        for (divides, factor) in factors {
+        // From the right, since an operator acts on all that follows it. Numbers side by side are multiplied all at
+        // once: product after product, n factors would make n²/2 operands. Without an operator all may change places.
+        let mut numbers = Vec::with_capacity(factors.len());
+        let mut others: Vec<Form> = Vec::new();
+        for (divides, factor) in factors.iter().rev() {
             let form = known.get(factor).cloned().ok_or_else(|| missing(span))?;
             let form = if *divides { self.invert(&form, *factor)? } else { form };
             match form.value {
-                Value::Scalar(number) if form.unknown.is_empty() => numbers.push(number),
-                _ => others.push(form),
+                Value::Scalar(number) if form.is_value() => numbers.push(number),
+                _ => {
+                    if !form.operator.is_empty() && !numbers.is_empty() {
+                        others.push(scalar(self.graph.product(numbers.drain(..).rev())));
+                    }
+                    others.push(form);
+                }
             }
         }
-        let product = scalar(self.graph.product(numbers));
-        others.into_iter().try_fold(product, |product, form| self.multiply(product, form, span))
+        let mut product = scalar(self.graph.product(numbers.into_iter().rev()));
+        if let Some(first) = others.first().cloned() {
+            let rest = others.into_iter().skip(1);
+            let right = rest.into_iter().try_fold(first, |right, form| self.multiply(form, right, span))?;
+            product = self.multiply(product, right, span)?;
+        }
+        Ok(product)
     }
 
     fn invert(&mut self, form: &Form, expression: Expression) -> Result<Form, Diagnostic> {
-        if !form.unknown.is_empty() {
-            return Err(not_linear("dividing by S is not linear in S", self.tree.span(expression)));
+        if !form.is_value() {
+            let what = if form.unknown.is_empty() {
+                "nothing can be divided by an operator"
+            } else {
+                "dividing by S is not linear in S"
+            };
+            return Err(not_linear(what, self.tree.span(expression)));
         }
         match form.value {
             Value::Scalar(value) => Ok(scalar(self.graph.inverse(value))),
             Value::Vector(_) => Err(self.not_scalar(expression)),
-        }
-    }
-
-    fn multiply(&mut self, left: Form, right: Form, span: Span) -> Result<Form, Diagnostic> {
-        match (left.unknown.is_empty(), right.unknown.is_empty()) {
-            (false, false) => Err(not_linear("the product of two terms with S is not linear in S", span)),
-            (true, true) => {
-                Ok(Form::of(self.multiply_values(left.value, right.value, span)?))
-            }
-            (true, false) => self.distribute(left.value, right, span),
-            (false, true) => self.distribute(right.value, left, span),
-        }
-    }
-
-    fn distribute(&mut self, factor: Value, form: Form, span: Span) -> Result<Form, Diagnostic> {
-        let value = match (factor, form.value) {
-            // `[a, b, c] ∂S`: the part without S is the number 0.
-            (Value::Vector(_), Value::Scalar(zero)) if self.graph.is_zero(zero) => form.value,
-            _ => self.multiply_values(factor, form.value, span)?,
-        };
-        let mut unknown = BTreeMap::new();
-        for (derivative, coefficient) in form.unknown {
-            let product = match (factor, coefficient) {
-                (Value::Vector(left), Value::Vector(right)) => {
-                    let pairs = [(left[0], right[0]), (left[1], right[1]), (left[2], right[2])];
-                    Value::Vector(pairs.map(|(a, b)| self.graph.product([a, b])))
-                }
-                _ => self.multiply_values(factor, coefficient, span)?,
-            };
-            unknown.insert(derivative, product);
-        }
-        Ok(Form { value, unknown })
-    }
-
-    fn multiply_values(&mut self, left: Value, right: Value, span: Span) -> Result<Value, Diagnostic> {
-        match (left, right) {
-            (Value::Scalar(a), Value::Scalar(b)) => Ok(Value::Scalar(self.graph.product([a, b]))),
-            (Value::Scalar(factor), vector @ Value::Vector(_)) | (vector @ Value::Vector(_), Value::Scalar(factor)) => {
-                Ok(self.map_value(vector, |graph, component| graph.product([factor, component])))
-            }
-            (Value::Vector(_), Value::Vector(_)) => {
-                Err(Diagnostic::new(Code::NotScalar, "the product of two vectors is not defined")
-                    .at(span)
-                    .hint("write the components out"))
-            }
         }
     }
 
@@ -346,9 +275,7 @@ impl Lowering<'_> {
     ) -> Result<Form, Diagnostic> {
         // `h0(1 - t)^2` with a factor h0 is h0 times a square, and `2^n(x)` with a factor n is `2^n` times x.
         if let Some((factor, bracket)) = self.factor_and_bracket(base, known) {
-            let exponent = self.scalar_of(exponent, known)?;
-            let bracket = self.scalar_of(bracket, known)?;
-            let power = scalar(self.graph.power(bracket, exponent));
+            let power = self.raise(bracket, exponent, known)?;
             return self.multiply(factor, power, self.tree.span(base));
         }
         if let Some((factor, bracket)) = self.factor_and_bracket(exponent, known) {
@@ -358,8 +285,23 @@ impl Lowering<'_> {
             let bracket = known.get(&bracket).cloned().ok_or_else(|| missing(self.tree.span(bracket)))?;
             return self.multiply(power, bracket, self.tree.span(exponent));
         }
-        let (base, exponent) = (self.scalar_of(base, known)?, self.scalar_of(exponent, known)?);
-        Ok(scalar(self.graph.power(base, exponent)))
+        self.raise(base, exponent, known)
+    }
+
+    fn raise(
+        &mut self,
+        base: Expression,
+        exponent: Expression,
+        known: &FxHashMap<Expression, Form>,
+    ) -> Result<Form, Diagnostic> {
+        let power = self.scalar_of(exponent, known)?;
+        match known.get(&base).filter(|form| form.unknown.is_empty() && !form.operator.is_empty()) {
+            Some(operator) => self.raise_operator(operator, power, self.tree.span(base).to(self.tree.span(exponent))),
+            None => {
+                let base = self.scalar_of(base, known)?;
+                Ok(scalar(self.graph.power(base, power)))
+            }
+        }
     }
 
     /// `h0(1 - t)` as its factor and its bracket, when `h0` is not a function.
@@ -385,19 +327,17 @@ impl Lowering<'_> {
     fn scalar_of(&self, expression: Expression, known: &FxHashMap<Expression, Form>) -> Result<ExprId, Diagnostic> {
         let span = self.tree.span(expression);
         let form = known.get(&expression).ok_or_else(|| missing(span))?;
-        if !form.unknown.is_empty() {
-            return Err(not_linear("a function or power of S is not linear in S", span));
+        if !form.is_value() {
+            let what = if form.unknown.is_empty() {
+                "an operator stands where a number is expected"
+            } else {
+                "a function or power of S is not linear in S"
+            };
+            return Err(not_linear(what, span));
         }
         match form.value {
             Value::Scalar(value) => Ok(value),
             Value::Vector(_) => Err(self.not_scalar(expression)),
-        }
-    }
-
-    fn map_value(&mut self, value: Value, mut map: impl FnMut(&mut Graph, ExprId) -> ExprId) -> Value {
-        match value {
-            Value::Scalar(expr) => Value::Scalar(map(self.graph, expr)),
-            Value::Vector(each) => Value::Vector(each.map(|expr| map(self.graph, expr))),
         }
     }
 
@@ -417,14 +357,6 @@ impl Lowering<'_> {
     }
 }
 
-/// A value for x, y and z; a number counts for each.
-pub fn components(value: Value) -> [ExprId; 3] {
-    match value {
-        Value::Scalar(expr) => [expr; 3],
-        Value::Vector(each) => each,
-    }
-}
-
 /// The value of a name that stands for one.
 pub fn plain(meaning: &Meaning, span: Span) -> Result<Value, Diagnostic> {
     match meaning {
@@ -432,16 +364,6 @@ pub fn plain(meaning: &Meaning, span: Span) -> Result<Value, Diagnostic> {
         Meaning::Parameter(symbol) => Ok(Value::Scalar(*symbol)),
         Meaning::Function(..) | Meaning::Surface(_) | Meaning::Faulty => Err(missing(span)),
     }
-}
-
-fn scalar(expr: ExprId) -> Form {
-    Form::of(Value::Scalar(expr))
-}
-
-fn not_linear(message: &str, span: Span) -> Diagnostic {
-    Diagnostic::new(Code::NotLinear, message)
-        .at(span)
-        .hint("an equation is a sum of coefficient times derivative, for example `γ ∂⁴S/∂u²∂v²`")
 }
 
 fn wrong_arity(name: &str, expected: usize, found: usize, span: Span) -> Diagnostic {

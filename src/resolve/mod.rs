@@ -6,8 +6,10 @@
 mod boundary;
 mod declarations;
 mod equation;
+mod form;
 mod join;
 mod lower;
+mod operator;
 mod patch;
 mod prelude;
 mod reading;

@@ -8,7 +8,8 @@ use std::rc::Rc;
 
 use rustc_hash::FxHashMap;
 
-use super::lower::{Form, Lowering, plain};
+use super::form::{Form, components};
+use super::lower::{Lowering, plain};
 use super::reading::{Fault, Reading};
 use super::scope::{Meaning, Scope, Value};
 use crate::diagnostic::{Code, Diagnostic, Span};
@@ -111,7 +112,11 @@ impl SurfaceMeaning {
 
     /// Replaces u, v and t by arguments; a surface of two parameters keeps the time.
     fn replacements(&self, arguments: &[ExprId], lowering: &mut Lowering<'_>) -> FxHashMap<ExprId, ExprId> {
-        Variable::ALL.iter().zip(arguments).map(|(variable, value)| (lowering.graph.variable(*variable), *value)).collect()
+        Variable::ALL
+            .iter()
+            .zip(arguments)
+            .map(|(variable, value)| (lowering.graph.variable(*variable), *value))
+            .collect()
     }
 }
 
@@ -214,7 +219,7 @@ impl Lowering<'_> {
             return Err(finding.hint(format!("its parameters are {}", surface.parameter_names())));
         }
         let replacements = surface.replacements(arguments, self);
-        let position = self.differentiated(surface, orders, span)?;
+        let position = components(self.differentiated(Value::Vector(surface.position), orders, span)?);
         let position = position.map(|expr| self.graph.substitute(expr, &replacements));
         let value = match component.and_then(|component| position.get(component)) {
             Some(expr) => Value::Scalar(*expr),
@@ -222,22 +227,6 @@ impl Lowering<'_> {
         };
         self.check_visible(name, value)?;
         Ok(Form::of(value))
-    }
-
-    /// A derivative of x, y and z in the surface's own parameters.
-    pub fn differentiated(
-        &mut self,
-        surface: &SurfaceMeaning,
-        orders: Derivative,
-        span: Span,
-    ) -> Result<[ExprId; 3], Diagnostic> {
-        let mut derivatives = surface.position;
-        for expr in &mut derivatives {
-            let allowed = self.limits.graph_nodes;
-            let derivative = self.graph.derivative_within(*expr, orders, allowed);
-            *expr = derivative.map_err(|fault| fault.to_diagnostic(orders, allowed).at(span))?;
-        }
-        Ok(derivatives)
     }
 
     /// Inside a surface only its own parameters are coordinates.

@@ -57,16 +57,29 @@ impl SeparableSurface {
     }
 
     /// `G_j(u) = Σ_m φ_m(u) C_mj` for every j, from the values of the modes.
-    fn amplitudes(&self, modes: &[f64], coefficients: &Coefficients) -> Vec<[f64; 3]> {
+    fn amplitudes(&self, modes: &[f64], rows: &Rows) -> Vec<[f64; 3]> {
         let mut sum = vec![[0.0; 3]; self.basis.len()];
-        for (mode, row) in modes.iter().zip(coefficients.chunks(self.basis.len().max(1))) {
-            for (total, coefficient) in sum.iter_mut().zip(row) {
-                add_scaled(total, *mode, coefficient);
+        for (mode, row) in modes.iter().zip(rows) {
+            for (j, coefficient) in row {
+                if let Some(total) = sum.get_mut(*j) {
+                    add_scaled(total, *mode, coefficient);
+                }
             }
         }
         sum
     }
+
+    /// The coefficients that are not zero: of N wave numbers, each with its own modes, one in N is not.
+    fn rows(&self, coefficients: &Coefficients) -> Rows {
+        let row = |row: &[[f64; 3]]| {
+            row.iter().copied().enumerate().filter(|(_, coefficient)| *coefficient != [0.0; 3]).collect()
+        };
+        coefficients.chunks(self.basis.len().max(1)).map(row).collect()
+    }
 }
+
+/// For each mode, basis functions and their coefficients.
+type Rows = Vec<Vec<(usize, [f64; 3])>>;
 
 impl Surface for SeparableSurface {
     fn evaluate(&self, derivative: Derivative, points: &[[f64; 3]], values: &mut [[f64; 3]]) -> Result<(), Diagnostic> {
@@ -76,8 +89,9 @@ impl Surface for SeparableSurface {
         values.fill([0.0; 3]);
         for (coefficients, factor, order) in self.time_terms(derivative.t)? {
             let basis = self.basis.values(Derivative { t: order, ..derivative }, &self.params, &v, &t)?;
+            let rows = self.rows(coefficients);
             for (index, ([u, ..], value)) in points.iter().zip(values.iter_mut()).enumerate() {
-                let amplitudes = self.amplitudes(&self.modes.derivatives(derivative.u, *u), coefficients);
+                let amplitudes = self.amplitudes(&self.modes.derivatives(derivative.u, *u), &rows);
                 for (amplitude, row) in amplitudes.iter().zip(basis.chunks(points.len().max(1))) {
                     add_scaled(value, factor * row.get(index).copied().unwrap_or(f64::NAN), amplitude);
                 }
@@ -97,8 +111,9 @@ impl Surface for SeparableSurface {
         values.fill([0.0; 3]);
         for (coefficients, factor, order) in self.time_terms(derivative.t)? {
             let basis = self.basis.values(Derivative { t: order, ..derivative }, &self.params, v, &t)?;
+            let rows = self.rows(coefficients);
             for (u, row) in u.iter().zip(values.chunks_mut(v.len().max(1))) {
-                let amplitudes = self.amplitudes(&self.modes.derivatives(derivative.u, *u), coefficients);
+                let amplitudes = self.amplitudes(&self.modes.derivatives(derivative.u, *u), &rows);
                 for (amplitude, function) in amplitudes.iter().zip(basis.chunks(v.len().max(1))) {
                     for (value, basis) in row.iter_mut().zip(function) {
                         add_scaled(value, factor * basis, amplitude);

@@ -211,6 +211,8 @@ pub enum Kind {
     Unknown(Unknown),
     /// A derivative of a primary surface, taken in its own parameters and then evaluated at the arguments.
     Partial(Partial),
+    /// A derivative without what it is applied to: `∂²/∂u²`.
+    Operator(Derivative),
     /// Terms, each with whether it is subtracted.
     Sum(Vec<(bool, Expression)>),
     /// Factors, each with whether it divides.
@@ -235,7 +237,7 @@ pub struct Partial {
 impl Kind {
     fn operands(&self) -> Vec<Expression> {
         match self {
-            Kind::Number(_) | Kind::Name(_) | Kind::Unknown(_) => Vec::new(),
+            Kind::Number(_) | Kind::Name(_) | Kind::Unknown(_) | Kind::Operator(_) => Vec::new(),
             Kind::Application(_, operands)
             | Kind::Call(_, operands)
             | Kind::SquareRoot(operands)

@@ -160,6 +160,7 @@ impl Builder<'_> {
             Rule::number => return self.number(pair.as_str(), whole),
             Rule::pi => Kind::Name(Name { text: "pi".to_owned(), span: whole }),
             Rule::derivative => Kind::Unknown(self.derivative(pair)?),
+            Rule::differential => Kind::Operator(self.derivative(pair)?.derivative),
             Rule::unknown => Kind::Unknown(self.unknown(&pair)),
             Rule::partial => self.partial(pair)?,
             Rule::application => {
@@ -291,7 +292,7 @@ impl Builder<'_> {
         Unknown { component, derivative: Derivative::NONE, span: self.span(pair) }
     }
 
-    /// `∂⁴S/∂u²∂v²`; the order above the bar must be the sum of those below.
+    /// `∂⁴S/∂u²∂v²`, or an operator `∂⁴/∂u²∂v²`; the order above the bar must be the sum of those below.
     pub fn derivative(&mut self, pair: Parsed<'_>) -> Result<Unknown, Diagnostic> {
         let whole = self.span(&pair);
         let text = self.text(whole).to_owned();

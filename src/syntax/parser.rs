@@ -89,12 +89,15 @@ fn words(rule: Rule) -> Option<&'static str> {
         | Rule::unknown
         | Rule::derivative
         | Rule::partial
+        | Rule::differential
         | Rule::function
         | Rule::bare_argument
         | Rule::root_sign => "an expression",
         Rule::name | Rule::parameter | Rule::definition | Rule::assignment | Rule::range => "a name",
         Rule::interval => "an interval `[lo, hi]`",
-        Rule::constraint | Rule::constraints | Rule::target | Rule::join | Rule::kw_join => "a constraint such as `S_x = …`",
+        Rule::constraint | Rule::constraints | Rule::target | Rule::join | Rule::kw_join => {
+            "a constraint such as `S_x = …`"
+        }
         Rule::line
         | Rule::param_line
         | Rule::let_line
@@ -135,8 +138,8 @@ fn advice(text: &str, at: usize) -> Option<String> {
     if rest.starts_with("==") || (rest.starts_with('=') && before.ends_with('=')) {
         return Some("write a single `=`".to_owned());
     }
-    if ["∂²/∂", "∂/∂", "d2/d"].iter().any(|operator| text.contains(operator)) {
-        return Some("operators in brackets are not read: write out each term, such as `∂⁴S/∂u²∂v²`".to_owned());
+    if rest.starts_with('∂') || before.ends_with('∂') {
+        return Some("a derivative is written `∂²S/∂u²` or `∂⁴S/∂u²∂v²`, an operator `∂²/∂u²`".to_owned());
     }
     if text.strip_prefix("curve").is_some_and(|tail| tail.starts_with([' ', '\t'])) {
         return Some("`curve` is reserved for a later version of the language".to_owned());

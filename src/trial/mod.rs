@@ -6,10 +6,12 @@
 //!
 //! A new family is one file here and one line in [`families`].
 
+mod exponential;
 mod legendre;
 mod powers;
 mod sine;
 
+pub use exponential::{CardinalExponentials, JoinedModes};
 pub use legendre::IntegratedLegendre;
 pub use powers::Powers;
 pub use sine::Sine;

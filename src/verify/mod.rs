@@ -130,8 +130,12 @@ fn residual(
     let mut largest = sums.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
     let mut values = vec![[0.0; 3]; points];
     for term in &patch.operator.terms {
-        surface.evaluate_grid(term.derivative, (u, v, t), &mut values)?;
         let factors = evaluate(&problem.graph, &term.coefficient, bindings, u, v, t)?;
+        // Where the equation does not take a derivative, it need not exist.
+        if factors.iter().all(|factor| *factor == 0.0) {
+            continue;
+        }
+        surface.evaluate_grid(term.derivative, (u, v, t), &mut values)?;
         for (component, (sums, factors)) in sums.chunks_mut(points).zip(factors.chunks(points)).enumerate() {
             for ((sum, factor), value) in sums.iter_mut().zip(factors).zip(&values) {
                 let product = factor * value.get(component).copied().unwrap_or(f64::NAN);

@@ -4,7 +4,7 @@ use trimline::decompose::{Decomposition, decompose};
 use trimline::diagnostic::{Diagnostic, Diagnostics, Source};
 use trimline::eval::Backend;
 use trimline::limits::Limits;
-use trimline::method::{Options, Settings, Solution, Solver, choose};
+use trimline::method::{Numbers, Options, Settings, Solution, Solver, choose};
 use trimline::problem::{Bindings, DomainValues, Patch, Problem};
 use trimline::resolve::resolve;
 use trimline::surface::Surface;
@@ -78,13 +78,15 @@ impl Prepared {
         let one = |finding: Diagnostic| vec![finding];
         let bindings = Bindings::evaluate(&problem).map_err(one)?;
         let domain = patch(&problem).domain.evaluate(&problem, &bindings).map_err(one)?;
-        let decomposition = decompose(&problem, patch(&problem), &limits).map_err(one)?;
+        let decomposition = decompose(&problem, patch(&problem), &limits).map_err(one)?.specialise(bindings.as_slice());
         let request = &patch(&problem).solve;
         let mut settings = Settings::read(&request.settings).map_err(one)?;
         for (key, value) in overrides {
             settings.set(key, value, None).map_err(one)?;
         }
-        let method = choose(request.method.as_deref(), request.origin, &decomposition, &limits).map_err(one)?;
+        let numbers = Numbers { params: bindings.as_slice(), domain: &domain };
+        let chosen = choose(request.method.as_deref(), request.origin, &decomposition, &numbers, &limits);
+        let method = chosen.map_err(one)?.method;
         if let Some((name, origin)) = settings.given().into_iter().find(|(name, _)| !method.settings().contains(name)) {
             let message = format!("the method `{}` has no setting `{name}`", method.name());
             return Err(vec![Diagnostic::new(trimline::diagnostic::Code::UnknownSetting, message).at(origin)]);

@@ -93,6 +93,14 @@ pub struct Solving {
     #[arg(long, value_name = "HOW")]
     pub fit: Option<String>,
 
+    /// The number of wave numbers of a Fourier series, instead of as many as the tolerance needs.
+    #[arg(long, value_name = "N")]
+    pub modes: Option<String>,
+
+    /// Whether a surface carries what its Fourier series leaves out of the boundary data: on or off.
+    #[arg(long, value_name = "on|off")]
+    pub remainder: Option<String>,
+
     /// The tolerance of adaptive methods.
     #[arg(long, value_name = "X")]
     pub tolerance: Option<String>,
@@ -126,6 +134,8 @@ impl Solving {
             ("terms", self.terms.as_deref()),
             ("points", points),
             ("fit", self.fit.as_deref()),
+            ("modes", self.modes.as_deref()),
+            ("remainder", self.remainder.as_deref()),
             ("tolerance", self.tolerance.as_deref()),
             ("method", self.method.as_deref()),
         ];

@@ -132,8 +132,7 @@ impl ExactSolver {
 /// The symbols that the coefficients of the equation are made of.
 pub(super) fn coefficient_symbols(decomposition: &Decomposition) -> Vec<(usize, String)> {
     let graph = &decomposition.graph;
-    let coefficients: Vec<ExprId> =
-        decomposition.patch.operator.terms.iter().flat_map(|term| term.coefficient).collect();
+    let coefficients: Vec<ExprId> = decomposition.operator.terms.iter().flat_map(|term| term.coefficient).collect();
     let symbol = |part: ExprId| match graph.node(part) {
         Node::Symbol(symbol) => Some((symbol.index(), graph.symbol_name(*symbol).to_owned())),
         _ => None,

@@ -52,7 +52,7 @@ impl Method for Exact {
     }
 
     fn accepts(&self, decomposition: &Decomposition, limits: &Limits) -> Result<(), Diagnostic> {
-        let (graph, operator) = (&decomposition.graph, &decomposition.patch.operator);
+        let (graph, operator) = (&decomposition.graph, &decomposition.operator);
         let depends = |expr: ExprId| graph.dependence(expr).v || graph.dependence(expr).t;
         if operator.terms.iter().flat_map(|term| term.coefficient).any(depends) {
             let message = "the method `exact` needs coefficients that do not depend on v or t";
@@ -71,7 +71,7 @@ impl Method for Exact {
         })?;
         let Closure { mut graph, functions, derivatives, force } = close(decomposition, &options.limits)?;
         let closure = Closure { graph: graph.clone(), functions: functions.clone(), derivatives, force: force.clone() };
-        let system = System::build(&mut graph, &closure, &decomposition.patch.operator);
+        let system = System::build(&mut graph, &closure, &decomposition.operator);
         let varies_with_u = |exprs: &[ExprId]| exprs.iter().any(|expr| graph.dependence(*expr).u);
         let entries: Vec<ExprId> = system.entries.iter().map(|(_, expr)| *expr).collect();
         let forces: Vec<ExprId> = force.iter().flatten().copied().collect();
@@ -84,7 +84,7 @@ impl Method for Exact {
             .map(|(expr, _)| graph.text(*expr, Notation::Ascii, 60).unwrap_or_else(|_| "a long expression".to_owned()));
         Ok(Box::new(ExactSolver {
             tolerance,
-            order: decomposition.patch.operator.order_in_u(),
+            order: decomposition.operator.order_in_u(),
             orders: decomposition.patch.conditions.iter().map(|condition| condition.order).collect(),
             basis_size: decomposition.basis.len(),
             origins: functions.iter().map(|(_, origin)| *origin).collect(),
@@ -207,6 +207,7 @@ impl Solver for ExactSolver {
             modes: terms,
             condition: None,
             amplification: Some(amplification),
+            truncation: None,
             rank: unknowns,
             unknowns,
             warnings,

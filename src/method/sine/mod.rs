@@ -15,13 +15,12 @@ use std::sync::Arc;
 
 use nalgebra::DMatrix;
 
-use super::equation::{Equation, place};
+use super::equation::{Discretisation, Equation, place};
 use super::{Method, Options, Report, Size, Solution, Solver, Systems, Terms};
 use crate::decompose::Decomposition;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
 use crate::limits::Limits;
-use crate::numeric::{NodeKind, nodes};
-use crate::surface::{Coefficients, SeparableSurface};
+use crate::numeric::NodeKind;
 use crate::trial::{Modes, Sine};
 
 use collocation::Collocation;
@@ -113,19 +112,15 @@ struct SineSolver {
 }
 
 impl Solver for SineSolver {
-    fn solve(&self, params: &[f64], [range_u, range_v]: [[f64; 2]; 2], t: f64) -> Result<Solution, Diagnostic> {
+    fn solve(&self, params: &[f64], ranges: [[f64; 2]; 2], t: f64) -> Result<Solution, Diagnostic> {
         let equation = &self.equation;
-        let boundary = equation.boundary(params)?;
-        let modes = equation.modes(Arc::new(Sine), self.terms, range_u, &boundary)?;
-        let u = nodes(self.points.kind, self.points.u, range_u);
-        let v = nodes(self.points.kind, self.points.v, range_v);
-        let is_visible = equation.visible_on(&v, range_v, t, params)?;
+        let Discretisation { boundary, modes, u, v, is_visible } =
+            equation.discretise((Arc::new(Sine), self.terms), self.points, (params, ranges, t))?;
         // The symbols do not depend on u, so any u will do.
-        let symbols = equation.symbols_at(&vec![range_u[0]; v.len()], &v, t, params)?;
+        let symbols = equation.symbols_at(&vec![ranges[0][0]; v.len()], &v, t, params)?;
         let collocation = Collocation::new(&modes, &equation.orders_in_u, &u);
         let count = equation.basis.len();
-        let mode_count = modes.count();
-        let mut coefficients: Vec<Coefficients> = vec![vec![[0.0; 3]; mode_count * count]; equation.orders_in_t + 1];
+        let mut coefficients = equation.no_coefficients(modes.count());
         let mut report = self.empty_report();
         for (j, rows) in symbols.chunks(equation.values_per_function(v.len()).max(1)).enumerate() {
             let stated = boundary.stated(j);
@@ -137,13 +132,7 @@ impl Solver for SineSolver {
                 place(coefficients, (j, count), 0, &[0, 1, 2], fit);
             }
         }
-        let surface = SeparableSurface {
-            modes: Arc::new(modes),
-            basis: Arc::clone(&equation.basis),
-            params: params.to_vec(),
-            coefficients,
-            instant: Some(t),
-        };
+        let surface = equation.surface(modes, coefficients, params, t);
         Ok(Solution { surface: Arc::new(surface), report })
     }
 }
@@ -206,6 +195,7 @@ impl SineSolver {
             modes: self.terms,
             condition: Some(1.0),
             amplification: None,
+            truncation: None,
             rank: 0,
             unknowns: 0,
             warnings: self.equation.note.iter().cloned().collect::<Diagnostics>(),

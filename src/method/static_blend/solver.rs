@@ -370,6 +370,7 @@ impl StaticSolver {
             modes: self.powers[0] + 1,
             condition: Some(1.0),
             amplification: None,
+            truncation: None,
             rank: 0,
             unknowns: 0,
             warnings: self.note.iter().cloned().collect::<Diagnostics>(),
