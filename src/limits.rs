@@ -35,6 +35,10 @@ pub struct Limits {
     pub samples: usize,
     /// Instants of one sequence.
     pub frames: usize,
+    /// Vertices of all frames of one animated file.
+    pub animated_vertices: usize,
+    /// Pixels of all pictures of one file.
+    pub pixels: usize,
 }
 
 impl Default for Limits {
@@ -54,13 +58,15 @@ impl Default for Limits {
             operations: 4_000_000_000,
             samples: 4_000_000,
             frames: 10_000,
+            animated_vertices: 16_000_000,
+            pixels: 64_000_000,
         }
     }
 }
 
 impl Limits {
     /// Every limit with the name it has on the command line (`--limits nesting=64`).
-    pub fn named(&mut self) -> [(&'static str, &mut usize); 14] {
+    pub fn named(&mut self) -> [(&'static str, &mut usize); 16] {
         [
             ("source-bytes", &mut self.source_bytes),
             ("nesting", &mut self.nesting),
@@ -76,6 +82,8 @@ impl Limits {
             ("operations", &mut self.operations),
             ("samples", &mut self.samples),
             ("frames", &mut self.frames),
+            ("animated-vertices", &mut self.animated_vertices),
+            ("pixels", &mut self.pixels),
         ]
     }
 }
