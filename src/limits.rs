@@ -39,6 +39,10 @@ pub struct Limits {
     pub samples: usize,
     /// Instants of one sequence.
     pub frames: usize,
+    /// Vertices of all frames of one animated file.
+    pub animated_vertices: usize,
+    /// Pixels of all pictures of one file.
+    pub pixels: usize,
 }
 
 impl Default for Limits {
@@ -60,14 +64,16 @@ impl Default for Limits {
             operations: 4_000_000_000,
             samples: 4_000_000,
             frames: 10_000,
+            animated_vertices: 16_000_000,
+            pixels: 64_000_000,
         }
     }
 }
 
 impl Limits {
     /// Every limit with the name it has on the command line (`--limits nesting=64`).
-    pub fn named(&mut self) -> [(&'static str, &mut usize); 16] {
-        [
+    pub fn named(&mut self) -> Vec<(&'static str, &mut usize)> {
+        vec![
             ("source-bytes", &mut self.source_bytes),
             ("nesting", &mut self.nesting),
             ("names", &mut self.names),
@@ -84,6 +90,8 @@ impl Limits {
             ("operations", &mut self.operations),
             ("samples", &mut self.samples),
             ("frames", &mut self.frames),
+            ("animated-vertices", &mut self.animated_vertices),
+            ("pixels", &mut self.pixels),
         ]
     }
 }

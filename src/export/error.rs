@@ -3,6 +3,7 @@
 use std::io;
 
 use crate::diagnostic::{Code, Diagnostic};
+use crate::tessellate::Mesh;
 
 /// Why a scene could not be written.
 #[derive(Debug, thiserror::Error)]
@@ -45,6 +46,32 @@ pub enum ExportError {
         /// How many there are.
         count: usize,
     },
+    /// The format holds one instant, or there is none.
+    #[error("{format} holds one instant, and there are {count}")]
+    NotOneInstant {
+        /// The format.
+        format: &'static str,
+        /// How many there are.
+        count: usize,
+    },
+    /// The frames of an animation are not the same meshes.
+    #[error("mesh `{mesh}` has other faces or fields at t = {time} than before")]
+    TopologyChanges {
+        /// The mesh.
+        mesh: String,
+        /// The first instant at which it differs.
+        time: f64,
+    },
+    /// The instants of an animation do not ascend.
+    #[error("{format} needs ascending instants, and t = {time} is followed by t = {next}, the same to its precision")]
+    InstantsCoincide {
+        /// The format.
+        format: &'static str,
+        /// An instant.
+        time: f64,
+        /// The one that follows.
+        next: f64,
+    },
 }
 
 impl ExportError {
@@ -53,8 +80,10 @@ impl ExportError {
     pub fn to_diagnostic(&self) -> Diagnostic {
         let diagnostic = Diagnostic::new(Code::OutputFailed, self.to_string());
         match self {
-            ExportError::Io(_) | ExportError::Malformed { .. } => diagnostic,
+            ExportError::Io(_) | ExportError::Malformed { .. } | ExportError::NotOneInstant { .. } => diagnostic,
             ExportError::CoordinateTooLarge { .. } => diagnostic.hint("OBJ and PLY hold every coordinate"),
+            ExportError::TopologyChanges { .. } => diagnostic.hint("leave the seams of closed surfaces open"),
+            ExportError::InstantsCoincide { .. } => diagnostic.hint("ask for fewer frames, or write NPZ or VTP"),
             ExportError::TooMany { .. } => diagnostic.hint("choose a coarser grid, or write fewer patches to a file"),
         }
     }
@@ -63,4 +92,21 @@ impl ExportError {
 /// `count` as the 32-bit number a format stores.
 pub(super) fn count_of(format: &'static str, items: &'static str, count: usize) -> Result<u32, ExportError> {
     u32::try_from(count).map_err(|_| ExportError::TooMany { format, items, largest: u32::MAX, count })
+}
+
+/// The positions of a mesh for a format of 32-bit floats.
+pub(super) fn in_single_precision(format: &'static str, mesh: &Mesh) -> Result<Vec<[f32; 3]>, ExportError> {
+    let round = |position: &[f64; 3]| {
+        let rounded = position.map(|x| x as f32);
+        match position.iter().zip(rounded).find(|(_, rounded)| !rounded.is_finite()) {
+            None => Ok(rounded),
+            Some((&value, _)) => Err(ExportError::CoordinateTooLarge {
+                format,
+                mesh: mesh.name.clone(),
+                largest: f64::from(f32::MAX),
+                value,
+            }),
+        }
+    };
+    mesh.positions.iter().map(round).collect()
 }

@@ -18,6 +18,25 @@ pub(super) fn in_ascii(name: &str) -> String {
         .collect()
 }
 
+/// Each name as a word of ASCII letters, digits and underscores that begins with a letter, all of them different.
+pub(super) fn distinct_words<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String> {
+    let mut words: Vec<String> = Vec::new();
+    for name in names {
+        let mut word: String = in_ascii(name).replace("u+", "u").chars().map(word_character).collect();
+        if !word.starts_with(|c: char| c.is_ascii_alphabetic()) {
+            word.insert_str(0, "patch_");
+        }
+        let repeated = (2..).map(|copy| format!("{word}_{copy}"));
+        let free = std::iter::once(word.clone()).chain(repeated).find(|candidate| !words.contains(candidate));
+        words.extend(free);
+    }
+    words
+}
+
+fn word_character(c: char) -> char {
+    if c.is_ascii_alphanumeric() { c } else { '_' }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -42,5 +61,12 @@ mod tests {
     #[test]
     fn greek_name_in_ascii_shows_its_code() {
         assert_eq!(in_ascii("cup α\n2"), "cup u+3b1_2");
+    }
+
+    #[test]
+    fn words_are_distinct_and_begin_with_a_letter() {
+        let names = ["left wing", "α", "left_wing", "left-wing", "3", ""];
+        let words = ["left_wing", "u3b1", "left_wing_2", "left_wing_3", "patch_3", "unnamed"];
+        assert_eq!(distinct_words(names.into_iter()), words);
     }
 }

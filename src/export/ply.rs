@@ -7,13 +7,14 @@ use crate::tessellate::Scene;
 
 use super::error::count_of;
 use super::name::in_ascii;
-use super::{ExportError, Row};
+use super::{Content, ExportError, Row};
 
 pub(super) const ROW: Row = Row {
     name: "PLY",
     extension: "ply",
-    description: "binary; quads, normals and (u, v) in double precision, all patches in one mesh",
-    write,
+    description: "binary; quads, normals, (u, v) and fields in double precision, all patches in one mesh",
+    content: Content::Still(write),
+    holds_fields: true,
 };
 
 /// The properties of a vertex, in the order they are written.
@@ -28,13 +29,15 @@ fn write(scene: &Scene, out: &mut dyn Write) -> Result<Vec<Diagnostic>, ExportEr
         writeln!(out, "comment patch {}: {} vertices", in_ascii(&mesh.name), mesh.positions.len())?;
     }
     writeln!(out, "element vertex {vertices}")?;
-    for property in VERTEX_PROPERTIES {
+    let fields = scene.meshes.first().into_iter().flat_map(|mesh| &mesh.fields).map(|field| field.name);
+    for property in VERTEX_PROPERTIES.into_iter().chain(fields) {
         writeln!(out, "property double {property}")?;
     }
     writeln!(out, "element face {quads}\nproperty list uchar uint vertex_indices\nend_header")?;
     for mesh in &scene.meshes {
-        for ((position, normal), uv) in mesh.positions.iter().zip(&mesh.normals).zip(&mesh.uv) {
-            for number in position.iter().chain(normal).chain(uv) {
+        for (vertex, ((position, normal), uv)) in mesh.positions.iter().zip(&mesh.normals).zip(&mesh.uv).enumerate() {
+            let fields = mesh.fields.iter().filter_map(|field| field.values.get(vertex));
+            for number in position.iter().chain(normal).chain(uv).chain(fields) {
                 out.write_all(&number.to_le_bytes())?;
             }
         }

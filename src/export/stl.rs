@@ -9,48 +9,37 @@ use stl_io::{Normal, Triangle, Vertex};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::tessellate::{Mesh, Scene};
 
-use super::error::count_of;
-use super::{ExportError, Row};
+use super::error::{count_of, in_single_precision};
+use super::triangles::triangles;
+use super::{Content, ExportError, Row};
 
 pub(super) const ROW: Row = Row {
     name: "STL",
     extension: "stl",
     description: "binary; triangles in single precision, all patches in one mesh; for printing",
-    write,
+    content: Content::Still(write),
+    holds_fields: false,
 };
 
-/// By how much the second diagonal must be shorter to be preferred.
-///
-/// The diagonals of a symmetric quad differ by rounding only; without a margin neighbouring quads of a cylinder
-/// would be split this way and that at random.
-const SHORTER: f64 = 1.0 - 1e-9;
-
 fn write(scene: &Scene, mut out: &mut dyn Write) -> Result<Vec<Diagnostic>, ExportError> {
-    let mut triangles = Vec::new();
+    let mut facets = Vec::new();
     let mut lost = 0;
     for mesh in &scene.meshes {
         let rounded = rounded(mesh)?;
-        let corners = |index: u32| mesh.positions.get(index as usize).zip(rounded.get(index as usize));
-        for quad in &mesh.quads {
-            let [Some(a), Some(b), Some(c), Some(d)] = quad.map(corners) else { continue };
-            let halves = if distance(b.0, d.0) < SHORTER * distance(a.0, c.0) {
-                [[a, b, d], [b, c, d]]
-            } else {
-                [[a, b, c], [a, c, d]]
-            };
-            for half in halves {
-                match facet(half.map(|(_, rounded)| *rounded)) {
-                    Some(triangle) => triangles.push(triangle),
-                    // A pole has triangles without area from the start: leaving them out loses nothing.
-                    None if has_coinciding_corners(half.map(|(exact, _)| exact)) => {}
-                    None => lost += 1,
-                }
+        let corner = |index: u32| mesh.positions.get(index as usize).zip(rounded.get(index as usize));
+        for triangle in triangles(mesh) {
+            let [Some(a), Some(b), Some(c)] = triangle.map(corner) else { continue };
+            match facet([a, b, c].map(|(_, rounded)| *rounded)) {
+                Some(facet) => facets.push(facet),
+                // A pole has triangles without area from the start: leaving them out loses nothing.
+                None if has_coinciding_corners([a, b, c].map(|(exact, _)| exact)) => {}
+                None => lost += 1,
             }
         }
     }
     // stl_io would store the count modulo 2^32.
-    count_of(ROW.name, "triangles", triangles.len())?;
-    stl_io::write_stl(&mut out, triangles.iter())?;
+    count_of(ROW.name, "triangles", facets.len())?;
+    stl_io::write_stl(&mut out, facets.iter())?;
     Ok(if lost == 0 { Vec::new() } else { vec![precision_lost(lost)] })
 }
 
@@ -65,23 +54,8 @@ fn precision_lost(triangles: usize) -> Diagnostic {
 
 /// The positions as STL holds them.
 fn rounded(mesh: &Mesh) -> Result<Vec<[f32; 3]>, ExportError> {
-    let too_large = |value: f64| ExportError::CoordinateTooLarge {
-        format: ROW.name,
-        mesh: mesh.name.clone(),
-        largest: f64::from(f32::MAX),
-        value,
-    };
-    mesh.positions
-        .iter()
-        .map(|position| {
-            // Adding zero turns -0 into 0, which readers that compare bits would keep apart.
-            let rounded = position.map(|x| x as f32 + 0.0);
-            match position.iter().zip(rounded).find(|(_, rounded)| !rounded.is_finite()) {
-                Some((&value, _)) => Err(too_large(value)),
-                None => Ok(rounded),
-            }
-        })
-        .collect()
+    // Adding zero turns -0 into 0, which readers that compare bits would keep apart.
+    Ok(in_single_precision(ROW.name, mesh)?.into_iter().map(|position| position.map(|x| x + 0.0)).collect())
 }
 
 /// The triangle with its own unit normal, or `None` without area.
@@ -105,11 +79,6 @@ fn minus([ax, ay, az]: [f64; 3], [bx, by, bz]: [f64; 3]) -> [f64; 3] {
     [ax - bx, ay - by, az - bz]
 }
 
-/// Squared; in range because the coordinates fit in f32.
-fn distance(a: &[f64; 3], b: &[f64; 3]) -> f64 {
-    minus(*a, *b).iter().map(|x| x * x).sum()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -123,19 +92,6 @@ mod tests {
 
     fn flat_quad(corners: [[f64; 2]; 4]) -> Vec<[f64; 3]> {
         corners.iter().map(|&[x, y]| [x, y, 0.0]).collect()
-    }
-
-    fn diagonal(mesh: &stl_io::IndexedMesh) -> Vec<[f32; 3]> {
-        let [first, second] = [mesh.faces[0].vertices, mesh.faces[1].vertices];
-        first.iter().filter(|index| second.contains(index)).map(|&index| mesh.vertices[index].0).collect()
-    }
-
-    #[test]
-    fn quad_is_split_along_its_shorter_diagonal() {
-        let (long_ac, _) = written(flat_quad([[-2.0, 0.0], [0.0, -1.0], [2.0, 0.0], [0.0, 1.0]])).unwrap();
-        assert_eq!(diagonal(&long_ac), [[0.0, -1.0, 0.0], [0.0, 1.0, 0.0]]);
-        let (long_bd, _) = written(flat_quad([[-1.0, 0.0], [0.0, -2.0], [1.0, 0.0], [0.0, 2.0]])).unwrap();
-        assert_eq!(diagonal(&long_bd), [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0]]);
     }
 
     #[test]

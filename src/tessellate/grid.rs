@@ -10,12 +10,13 @@ use crate::limits::Limits;
 pub struct Grid {
     u_cells: u32,
     v_cells: u32,
+    welds: bool,
 }
 
 impl Default for Grid {
     /// 64 quads across the blend, 128 along it.
     fn default() -> Self {
-        Grid { u_cells: 64, v_cells: 128 }
+        Grid { u_cells: 64, v_cells: 128, welds: true }
     }
 }
 
@@ -59,7 +60,7 @@ impl Grid {
             return Err(beyond_indices());
         }
         match (u32::try_from(u_cells), u32::try_from(v_cells)) {
-            (Ok(u_cells), Ok(v_cells)) => Ok(Grid { u_cells, v_cells }),
+            (Ok(u_cells), Ok(v_cells)) => Ok(Grid { u_cells, v_cells, welds: true }),
             _ => Err(beyond_indices()),
         }
     }
@@ -74,6 +75,19 @@ impl Grid {
     #[must_use]
     pub fn v_cells(self) -> usize {
         self.v_cells as usize
+    }
+
+    /// The same grid with every seam left open, so that the topology is the same whether a surface closes or not.
+    ///
+    /// A surface may close on itself at some instants only; the frames of an animation need one topology.
+    #[must_use]
+    pub fn with_open_seams(self) -> Grid {
+        Grid { welds: false, ..self }
+    }
+
+    /// Whether surfaces that close on themselves are welded.
+    pub(super) fn welds(self) -> bool {
+        self.welds
     }
 
     /// The quads over u-major vertices; when closed in v there is no last column and the first stands in for it.

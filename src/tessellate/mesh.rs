@@ -1,21 +1,50 @@
 //! Meshes as plain data.
 
-/// Quads over shared vertices; `positions`, `normals` and `uv` have one entry per vertex.
+/// Quads over shared vertices; everything but `fields` and `quads` has one entry per vertex.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Mesh {
     /// What the document calls the patch.
     pub name: String,
-    /// Vertices, u-major: with `columns` vertices along v, entry `i * columns + j` lies at the i-th u and j-th v.
+    /// What it shows.
+    pub role: Role,
+    /// Vertices, u-major: entry `i * columns + j` lies at the i-th u and j-th v.
     pub positions: Vec<[f64; 3]>,
     /// Unit normals, along `S_u x S_v`.
     pub normals: Vec<[f64; 3]>,
+    /// S_u.
+    pub tangents_u: Vec<[f64; 3]>,
+    /// S_v.
+    pub tangents_v: Vec<[f64; 3]>,
     /// The patch's own parameters at each vertex. A welded seam has the parameter of its first side, so a
     /// texture mapped by `uv` runs backwards through the last strip of quads.
     pub uv: Vec<[f64; 2]>,
+    /// Numbers at the vertices, such as curvature; all meshes of a scene have the same ones in the same order.
+    pub fields: Vec<Field>,
+    /// Vertices along v.
+    pub columns: usize,
     /// Vertex indices of each quad, counter-clockwise seen from where the normals point.
     pub quads: Vec<[u32; 4]>,
     /// Whether the quads run around in v, the last column being joined to the first.
     pub is_closed_in_v: bool,
+}
+
+/// What a mesh shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Role {
+    /// A patch: what was computed.
+    #[default]
+    Blend,
+    /// A surface that patches join: what was given.
+    Primary,
+}
+
+/// A number at every vertex of a mesh.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Field {
+    /// A word of letters and underscores, for example `mean_curvature`.
+    pub name: &'static str,
+    /// One value per vertex; NaN where there is none, such as the curvature at a pole.
+    pub values: Vec<f64>,
 }
 
 /// What is to be seen at one instant.
@@ -25,4 +54,15 @@ pub struct Scene {
     pub meshes: Vec<Mesh>,
     /// The instant, in the document's unit of `t`.
     pub time: f64,
+}
+
+impl Mesh {
+    /// The values of u at the rows of vertices and of v at their columns.
+    #[must_use]
+    pub fn axes(&self) -> (Vec<f64>, Vec<f64>) {
+        let rows = self.uv.chunks(self.columns.max(1));
+        let u = rows.clone().filter_map(|row| row.first()).map(|[u, _]| *u).collect();
+        let v = rows.take(1).flatten().map(|[_, v]| *v).collect();
+        (u, v)
+    }
 }

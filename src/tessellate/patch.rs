@@ -5,7 +5,7 @@ use crate::surface::Surface;
 
 use super::grid::Grid;
 use super::instants::evenly_spaced;
-use super::mesh::Mesh;
+use super::mesh::{Mesh, Role};
 use super::normals::normals;
 use super::samples::Samples;
 
@@ -16,7 +16,8 @@ const SMALLEST_RING: usize = 3;
 ///
 /// Normals are those of the surface, from its exact derivatives, not of the quads. Where `S_u x S_v` vanishes, as
 /// at a pole, a vertex gets the mean of the adjacent quads' normals, weighted by area. If S, S_u and S_v on the
-/// last column equal those on the first up to rounding, and there are at least three columns, the two are welded.
+/// last column equal those on the first up to rounding, and there are at least three columns, the two are welded,
+/// unless the grid leaves seams open.
 ///
 /// Returns the mesh and at most one warning, [`Code::DegenerateNormals`], when vertices are left whose normal
 /// nothing determines; they get (0, 0, 1).
@@ -47,7 +48,7 @@ pub fn tessellate(
     let u = evenly_spaced(u_range, grid.u_cells());
     let mut v = evenly_spaced(v_range, grid.v_cells());
     let mut samples = Samples::evaluate(name, surface, (&u, &v, t))?;
-    let is_closed_in_v = grid.v_cells() >= SMALLEST_RING && samples.closes_in_v();
+    let is_closed_in_v = grid.welds() && grid.v_cells() >= SMALLEST_RING && samples.closes_in_v();
     if is_closed_in_v {
         samples = samples.without_last_column();
         v.pop();
@@ -57,9 +58,14 @@ pub fn tessellate(
     let warnings = if arbitrary == 0 { Vec::new() } else { vec![degenerate(name, arbitrary, normals.len())] };
     let mesh = Mesh {
         name: name.to_owned(),
+        role: Role::Blend,
         positions: samples.position,
         normals,
+        tangents_u: samples.tangent_u,
+        tangents_v: samples.tangent_v,
         uv: u.iter().flat_map(|&u| v.iter().map(move |&v| [u, v])).collect(),
+        fields: Vec::new(),
+        columns: v.len(),
         quads,
         is_closed_in_v,
     };

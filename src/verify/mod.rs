@@ -98,7 +98,8 @@ pub fn verify(
         boundary_errors.push(error);
     }
     let u = with_ends(GRID[0], domain.u);
-    let (residual, largest_term) = residual(problem, patch, surface, bindings, &u, &v, t)?;
+    let (sums, largest_term) = equation(problem, patch, surface, bindings, (&u, &v, t))?;
+    let residual = sums.iter().fold(0.0_f64, |most, sum| most.max(sum.abs()));
     let mut positions = vec![[0.0; 3]; u.len() * v.len()];
     surface.evaluate_grid(Derivative::NONE, (&u, &v, t), &mut positions)?;
     let size = positions.iter().flatten().fold(0.0_f64, |most, value| most.max(value.abs()));
@@ -113,16 +114,36 @@ fn with_ends(count: usize, range: [f64; 2]) -> Vec<f64> {
     all
 }
 
-/// The largest residual and the largest single term on the grid, over all components.
-fn residual(
+/// The residual of the equation at every point of a grid, u-major, relative to the equation's largest single term
+/// there, as [`Verification::relative_residual`] is: the largest of the three components.
+///
+/// # Errors
+/// What the surface reports, or a residual that is not finite.
+pub fn residuals(
     problem: &Problem,
     patch: &Patch,
     surface: &dyn Surface,
     bindings: &Bindings,
-    u: &[f64],
-    v: &[f64],
-    t: f64,
-) -> Result<(f64, f64), Diagnostic> {
+    (u, v, t): (&[f64], &[f64], f64),
+) -> Result<Vec<f64>, Diagnostic> {
+    let (sums, largest_term) = equation(problem, patch, surface, bindings, (u, v, t))?;
+    let mut residuals = vec![0.0_f64; u.len() * v.len()];
+    for component in sums.chunks(residuals.len().max(1)) {
+        for (most, sum) in residuals.iter_mut().zip(component) {
+            *most = most.max(if largest_term > 0.0 { sum.abs() / largest_term } else { 0.0 });
+        }
+    }
+    Ok(residuals)
+}
+
+/// Left side minus right side of the equation on the grid, component after component, and the largest single term.
+fn equation(
+    problem: &Problem,
+    patch: &Patch,
+    surface: &dyn Surface,
+    bindings: &Bindings,
+    (u, v, t): (&[f64], &[f64], f64),
+) -> Result<(Vec<f64>, f64), Diagnostic> {
     let points = u.len() * v.len();
     // The force stands on the right of the equation.
     let mut sums: Vec<f64> =
@@ -144,15 +165,13 @@ fn residual(
             }
         }
     }
-    let residual =
-        sums.iter().fold(0.0_f64, |most, value| if value.is_nan() { f64::INFINITY } else { most.max(value.abs()) });
-    if !residual.is_finite() {
+    if !sums.iter().all(|sum| sum.is_finite()) {
         let finding =
             Diagnostic::new(Code::SolutionNotFinite, "the residual of the equation is not finite on the domain")
                 .hint("a coefficient or the force has a pole, or the solution overflows");
         return Err(finding.at(patch.operator.origin));
     }
-    Ok((residual, largest))
+    Ok((sums, largest))
 }
 
 /// The value of three expressions on the grid, component after component, u-major.

@@ -290,9 +290,51 @@ fn frames_are_numbered_files_over_the_time_domain() {
 }
 
 #[test]
+fn frames_of_an_animated_format_are_one_file() {
+    let folder = Folder::new();
+    let target = folder.path("out.glb").to_string_lossy().into_owned();
+    done(&trimline(&["mesh", &example("eq19.trim"), "-o", &target, "--frames", "3", "--grid", "4x8"]));
+    assert_eq!(folder.files(), ["out.glb"]);
+}
+
+#[test]
+fn frames_of_vtp_have_an_index_of_their_instants() {
+    let folder = Folder::new();
+    let target = folder.path("out.vtp").to_string_lossy().into_owned();
+    done(&trimline(&["mesh", &example("eq19.trim"), "-o", &target, "--frames", "2", "--grid", "4x8"]));
+    assert_eq!(folder.files(), ["out.0000.vtp", "out.0001.vtp", "out.pvd"]);
+    let index = std::fs::read_to_string(folder.path("out.pvd")).expect("written");
+    assert!(index.contains(r#"timestep="0.3" part="0" file="out.0001.vtp""#), "{index}");
+}
+
+#[test]
+fn more_animated_vertices_than_allowed_are_a_limit() {
+    let folder = Folder::new();
+    let target = folder.path("out.glb").to_string_lossy().into_owned();
+    let spec = example("eq19.trim");
+    let run = |limit: &str| {
+        let grid = ["--frames", "3", "--grid", "4x8", "--limits", limit];
+        trimline(&[&["mesh", &spec, "-o", &target][..], &grid].concat())
+    };
+    // 5 rows of 8 vertices at 3 instants.
+    assert_eq!(status(&run("animated-vertices=119")), 4);
+    assert!(folder.files().is_empty());
+    assert_eq!(status(&run("animated-vertices=120")), 0);
+}
+
+#[test]
+fn fields_for_a_format_without_them_are_wrong_usage() {
+    let folder = Folder::new();
+    let target = folder.path("out.stl").to_string_lossy().into_owned();
+    let output = trimline(&["mesh", &example("eq19.trim"), "-o", &target, "--fields", "residual"]);
+    assert_eq!(status(&output), 2);
+    assert!(text(&output.stderr).contains("write PLY, USDA, VTP, NPZ"), "{}", text(&output.stderr));
+}
+
+#[test]
 fn every_example_meshes_in_every_format_and_repeats_byte_for_byte() {
     for name in ["eq6.trim", "eq19.trim", "eq29_30.trim", "eq31_32.trim"] {
-        for extension in ["obj", "ply", "stl"] {
+        for extension in ["obj", "ply", "stl", "glb", "usda", "3mf", "vtp", "npz"] {
             let folder = Folder::new();
             let mut bytes = Vec::new();
             for copy in ["a", "b"] {

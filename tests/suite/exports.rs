@@ -290,3 +290,111 @@ fn writer_failing_only_at_the_flush_gives_an_error() {
         );
     }
 }
+
+/// The two patches at three instants.
+#[cfg(feature = "formats")]
+fn frames_of_two_patches() -> Vec<Scene> {
+    let frame = |(index, time): (usize, f64)| {
+        let mut scene = Scene { time, ..two_patches() };
+        for position in scene.meshes.iter_mut().flat_map(|mesh| &mut mesh.positions) {
+            position[2] += index as f64;
+        }
+        scene
+    };
+    [-0.5, 0.1, 0.25].into_iter().enumerate().map(frame).collect()
+}
+
+#[cfg(feature = "formats")]
+fn animation(frames: &[Scene], format: Format) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    assert_eq!(trimline::export::write_frames(frames, format, &mut bytes).unwrap(), []);
+    bytes
+}
+
+/// The JSON chunk of a GLB file; the lengths of file and chunks are checked.
+#[cfg(feature = "formats")]
+fn glb_json(bytes: &[u8]) -> serde_json::Value {
+    let number = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap()) as usize;
+    assert_eq!((&bytes[..4], number(4), number(8)), (b"glTF".as_slice(), 2, bytes.len()));
+    let json = number(12);
+    assert_eq!(20 + json + 8 + number(20 + json), bytes.len());
+    serde_json::from_slice(&bytes[20..20 + json]).unwrap()
+}
+
+#[cfg(feature = "formats")]
+#[test]
+fn glb_of_two_patches_animates_a_named_node_for_each() {
+    let json = glb_json(&animation(&frames_of_two_patches(), Format::Glb));
+    let names: Vec<&str> =
+        json["nodes"].as_array().unwrap().iter().map(|node| node["name"].as_str().unwrap()).collect();
+    assert_eq!(names, ["plane", "left_wing α"]);
+    let animation = &json["animations"][0];
+    assert_eq!(animation["channels"].as_array().unwrap().len(), 2);
+    assert_eq!(json["meshes"][1]["primitives"][0]["targets"].as_array().unwrap().len(), 2);
+    // Instants before 0 are moved; the document's own stand beside.
+    let input = &json["accessors"][animation["samplers"][0]["input"].as_u64().unwrap() as usize];
+    assert_eq!((input["min"][0].as_f64(), input["max"][0].as_f64()), (Some(0.0), Some(0.75)));
+    assert_eq!(animation["extras"]["t"], serde_json::json!([-0.5, 0.1, 0.25]));
+}
+
+#[cfg(feature = "formats")]
+#[test]
+fn glb_of_instants_that_single_precision_cannot_tell_apart_is_refused() {
+    let mut frames = frames_of_two_patches();
+    frames[2].time = 0.1 + 1e-9;
+    let error = trimline::export::write_frames(&frames, Format::Glb, &mut Vec::new()).unwrap_err();
+    assert!(matches!(error, ExportError::InstantsCoincide { .. }), "{error}");
+}
+
+#[cfg(feature = "formats")]
+#[test]
+fn usda_of_two_patches_has_a_prim_for_each_with_a_sample_a_frame() {
+    let text = String::from_utf8(animation(&frames_of_two_patches(), Format::Usda)).unwrap();
+    assert_eq!(text.matches("def Mesh").count(), 2);
+    assert!(text.contains("def Mesh \"left_wing_u3b1\" (\n        displayName = \"left_wing α\""), "{text}");
+    assert_eq!(text.matches("point3f[] points.timeSamples").count(), 2);
+    assert!(text.contains("1: 0.1,\n"));
+}
+
+#[cfg(feature = "formats")]
+#[test]
+fn vtp_of_two_patches_has_a_piece_for_each() {
+    let text = String::from_utf8_lossy(&bytes(&two_patches(), Format::Vtp)).into_owned();
+    assert_eq!(text.matches("<Piece ").count(), 2);
+    assert!(text.contains(">0.30000000000000004</DataArray>"), "the instant");
+}
+
+#[cfg(feature = "formats")]
+#[test]
+fn npz_of_two_patches_prefixes_the_arrays_with_their_names() {
+    let bytes = animation(&frames_of_two_patches(), Format::Npz);
+    let text = String::from_utf8_lossy(&bytes);
+    for name in ["t.npy", "plane.positions.npy", "left_wing_u3b1.derivative_v.npy", "left_wing_u3b1.v.npy"] {
+        assert!(text.contains(name), "{name}");
+    }
+    assert!(text.replace(' ', "").contains("'shape':(3,4,7,3"), "frames, rows, columns of the torus, components");
+}
+
+#[cfg(feature = "formats")]
+#[test]
+fn threemf_of_two_patches_builds_an_object_for_each() {
+    let bytes = bytes(&two_patches(), Format::ThreeMf);
+    let text = String::from_utf8_lossy(&bytes);
+    assert_eq!((text.matches("<object ").count(), text.matches("<item ").count()), (2, 2));
+    assert!(text.contains("name=\"left_wing α\""));
+}
+
+#[test]
+fn ply_holds_fields_after_the_properties_of_the_vertex() {
+    let mut scene = PLANE.scene((1, 1));
+    let values = vec![1.0, f64::NAN, -3.5, 1e300];
+    scene.meshes[0].fields = vec![trimline::tessellate::Field { name: "residual", values: values.clone() }];
+    let bytes = bytes(&scene, Format::Ply);
+    let text = String::from_utf8_lossy(&bytes);
+    assert!(text.contains("property double v\nproperty double residual\nelement face"));
+    let start = bytes.windows(11).position(|window| window == b"end_header\n").unwrap() + 11;
+    for (vertex, value) in values.iter().enumerate() {
+        let at = start + vertex * 72 + 64;
+        assert_eq!(bytes[at..at + 8], value.to_le_bytes());
+    }
+}

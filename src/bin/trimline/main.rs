@@ -10,6 +10,7 @@ mod failure;
 mod mesh;
 mod options;
 mod output;
+mod scenes;
 mod solve;
 mod workflow;
 
@@ -60,7 +61,7 @@ enum Command {
     Solve(solve::Arguments),
     /// Evaluates the surface at given points, as CSV.
     Eval(eval::Arguments),
-    /// Writes meshes: OBJ, PLY or STL by the file's extension.
+    /// Writes meshes and animations; the format by the extension of the file.
     Mesh(mesh::Arguments),
 }
 

@@ -1,20 +1,17 @@
 //! `trimline mesh`: surface meshes at one instant or over time.
 
-use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use indicatif::{ProgressBar, ProgressStyle};
 
-use trimline::diagnostic::{Code, Diagnostic};
-use trimline::export::{Format, write};
-use trimline::tessellate::{Grid, Scene, instants, tessellate};
+use trimline::export::{ExportError, Format, write, write_frames, write_pvd};
+use trimline::tessellate::Scene;
 
 use crate::Outcome;
 use crate::failure::{Failure, print_warnings, say};
-use crate::options::{Collocation, Solving, Terminal, option_finding, read_grid};
+use crate::options::Terminal;
 use crate::output::Files;
-use crate::workflow::{Patched, Spec, common_times};
+use crate::scenes::{Meshing, Progress, Quantity, Scenes};
 
 #[derive(Args)]
 pub struct Arguments {
@@ -22,67 +19,112 @@ pub struct Arguments {
     spec: String,
 
     #[command(flatten)]
-    solving: Solving,
+    meshing: Meshing,
 
-    #[command(flatten)]
-    collocation: Collocation,
-
-    /// The file; its extension is the format (obj, ply, stl). With --frames, each file gets its number.
-    #[arg(long, short, value_name = "FILE")]
+    /// The file; its extension is the format. With --frames, formats without animation get a numbered file each.
+    #[arg(long, short, value_name = "FILE", long_help = format_help())]
     output: PathBuf,
 
-    /// Quads across (u) and along (v).
-    #[arg(long, value_name = "NUxNV", default_value = "64x128")]
-    grid: String,
+    /// Numbers at the vertices, for formats that hold them.
+    #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST")]
+    fields: Vec<Quantity>,
+}
 
-    /// As many instants over the time domain, both ends included, a file each.
-    #[arg(long, value_name = "N", conflicts_with = "time")]
-    frames: Option<usize>,
+fn format_help() -> String {
+    let row = |format: &Format| format!("  .{:5} {}", format.extension(), format.description());
+    let rows: Vec<String> = Format::ALL.iter().map(row).collect();
+    format!(
+        "The file; its extension is the format. With --frames, formats without animation get a numbered file each:\n{}",
+        rows.join("\n")
+    )
 }
 
 pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
     let format = format_of(&arguments.output)?;
-    let spec = Spec::read(&arguments.spec, &arguments.solving.reading)?;
-    let (u_cells, v_cells) = read_grid(&arguments.grid)?;
-    let grid = Grid::new(u_cells, v_cells, &spec.limits)
-        .map_err(|finding| option_finding("grid", &arguments.grid, finding))?;
-    let patched: Vec<Patched> = spec
-        .patches
-        .iter()
-        .map(|patch| spec.prepare(patch, &arguments.solving, arguments.collocation.points.as_deref()))
-        .collect::<Result<_, _>>()?;
-    let times = times(arguments, &spec, &patched)?;
-    let progress = progress(times.len(), terminal);
-    let mut files = Files::default();
-    let (mut vertices, mut quads) = (0, 0);
-    for (index, &time) in times.iter().enumerate() {
-        let path =
-            if arguments.frames.is_some() { numbered(&arguments.output, index) } else { arguments.output.clone() };
-        let scene = scene(&spec, &patched, grid, time, (index == 0, terminal))?;
-        vertices = scene.meshes.iter().map(|mesh| mesh.positions.len()).sum();
-        quads = scene.meshes.iter().map(|mesh| mesh.quads.len()).sum();
-        let notes = write(&scene, format, files.create(&path)?)
-            .map_err(|error| Failure::Found { source: None, findings: vec![error.to_diagnostic()] })?;
-        if index == 0 {
-            print_warnings(&notes, &spec.source, terminal);
-        }
-        progress.inc(1);
+    if !arguments.fields.is_empty() && !format.holds_fields() {
+        let holding: Vec<&str> = Format::ALL.iter().filter(|f| f.holds_fields()).map(|f| f.name()).collect();
+        let message = format!("{} files hold no fields; write {}", format.name(), holding.join(", "));
+        return Err(Failure::Usage(message));
     }
-    files.keep()?;
-    progress.finish_and_clear();
+    let mut scenes = Scenes::read(&arguments.spec, &arguments.meshing, &arguments.fields)?;
+    let times = scenes.times(&arguments.meshing)?;
+    let (written, last) = if format.is_animated() {
+        one_file(arguments, format, &mut scenes, &times, terminal)?
+    } else {
+        file_each(arguments, format, &scenes, &times, terminal)?
+    };
     if !terminal.quiet {
-        let what = match (times.as_slice(), arguments.frames) {
-            ([_, _, ..], Some(_)) => format!(
-                "{} to {}",
-                numbered(&arguments.output, 0).display(),
-                numbered(&arguments.output, times.len().saturating_sub(1)).display()
-            ),
-            ([time], None) => format!("{} at t = {time}", arguments.output.display()),
-            _ => numbered(&arguments.output, 0).display().to_string(),
-        };
-        say(&format!("wrote {what}: {vertices} vertices, {quads} quads"));
+        let vertices: usize = last.meshes.iter().map(|mesh| mesh.positions.len()).sum();
+        let quads: usize = last.meshes.iter().map(|mesh| mesh.quads.len()).sum();
+        say(&format!("wrote {written}: {vertices} vertices, {quads} quads"));
     }
     Ok(())
+}
+
+/// All instants into one file. Gives what was written and the last scene.
+fn one_file(
+    arguments: &Arguments,
+    format: Format,
+    scenes: &mut Scenes,
+    times: &[f64],
+    terminal: &Terminal,
+) -> Result<(String, Scene), Failure> {
+    let mut frames = scenes.all(times, terminal)?;
+    let mut files = Files::default();
+    let notes = write_frames(&frames, format, files.create(&arguments.output)?).map_err(failed)?;
+    print_warnings(&notes, &scenes.spec.source, terminal);
+    files.keep()?;
+    let path = arguments.output.display();
+    let written = match times {
+        [time] => format!("{path} at t = {time}"),
+        _ => format!("{path} with {} frames", times.len()),
+    };
+    Ok((written, frames.pop().unwrap_or_default()))
+}
+
+/// A file for each instant, numbered if there may be several; a series of VTP files has an index beside it.
+fn file_each(
+    arguments: &Arguments,
+    format: Format,
+    scenes: &Scenes,
+    times: &[f64],
+    terminal: &Terminal,
+) -> Result<(String, Scene), Failure> {
+    let is_numbered = arguments.meshing.frames.is_some();
+    let path_of = |index| if is_numbered { numbered(&arguments.output, index) } else { arguments.output.clone() };
+    let progress = Progress::new(times.len(), terminal);
+    let mut files = Files::default();
+    let mut last = Scene::default();
+    let mut series = Vec::new();
+    for (index, &time) in times.iter().enumerate() {
+        let (scene, warnings) = scenes.at(time)?;
+        let path = path_of(index);
+        let notes = write(&scene, format, files.create(&path)?).map_err(failed)?;
+        if index == 0 {
+            print_warnings(&warnings, &scenes.spec.source, terminal);
+            print_warnings(&notes, &scenes.spec.source, terminal);
+        }
+        series.push((time, path.file_name().unwrap_or_default().to_string_lossy().into_owned()));
+        last = scene;
+        progress.advance();
+    }
+    let mut written = match times {
+        [_, _, ..] => format!("{} to {}", path_of(0).display(), path_of(times.len() - 1).display()),
+        [time] if !is_numbered => format!("{} at t = {time}", arguments.output.display()),
+        _ => path_of(0).display().to_string(),
+    };
+    if format == Format::Vtp && is_numbered {
+        let index = arguments.output.with_extension("pvd");
+        write_pvd(&series, files.create(&index)?).map_err(failed)?;
+        written = format!("{} and {written}", index.display());
+    }
+    files.keep()?;
+    progress.finish();
+    Ok((written, last))
+}
+
+fn failed(error: ExportError) -> Failure {
+    Failure::Found { source: None, findings: vec![error.to_diagnostic()] }
 }
 
 fn format_of(path: &Path) -> Result<Format, Failure> {
@@ -95,62 +137,8 @@ fn format_of(path: &Path) -> Result<Format, Failure> {
     })
 }
 
-/// The instants to mesh: at all of them every patch has a shape.
-fn times(arguments: &Arguments, spec: &Spec, patched: &[Patched]) -> Result<Vec<f64>, Failure> {
-    let range = common_times(patched).ok_or_else(|| {
-        let finding = Diagnostic::new(Code::EmptyDomain, "no instant lies in the time domain of every patch");
-        spec.fault(finding.hint("choose patches with --patch, or state one `domain t in [..]` for all"))
-    })?;
-    match arguments.frames {
-        None => match arguments.solving.time {
-            None => Ok(vec![range[0]]),
-            time => {
-                let times: Vec<f64> = patched.iter().map(|patch| patch.instant(time)).collect::<Result<_, _>>()?;
-                Ok(times.into_iter().take(1).collect())
-            }
-        },
-        Some(frames) => instants(range, frames, &spec.limits)
-            .map_err(|finding| option_finding("frames", &frames.to_string(), finding)),
-    }
-}
-
-fn scene(
-    spec: &Spec,
-    patched: &[Patched],
-    grid: Grid,
-    time: f64,
-    (is_first, terminal): (bool, &Terminal),
-) -> Result<Scene, Failure> {
-    let mut meshes = Vec::new();
-    for patch in patched {
-        let solved = spec.solve(patch, time)?;
-        let ranges = (patch.prepared.domain.u, patch.prepared.domain.v);
-        let (mesh, notes) = tessellate(&patch.prepared.patch().name, &*solved.solution.surface, ranges, time, grid)
-            .map_err(|finding| spec.fault(finding))?;
-        if is_first {
-            print_warnings(&solved.solution.report.warnings, &spec.source, terminal);
-            print_warnings(&notes, &spec.source, terminal);
-        }
-        meshes.push(mesh);
-    }
-    Ok(Scene { meshes, time })
-}
-
 /// `blend.obj` as `blend.0007.obj`.
 fn numbered(path: &Path, index: usize) -> PathBuf {
     let extension = path.extension().unwrap_or_default().to_string_lossy();
     path.with_extension(format!("{index:04}.{extension}"))
-}
-
-/// A bar on long work, on a terminal only.
-fn progress(frames: usize, terminal: &Terminal) -> ProgressBar {
-    if terminal.quiet || frames < 2 || !std::io::stderr().is_terminal() {
-        return ProgressBar::hidden();
-    }
-    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} frames, {eta} left");
-    let bar = ProgressBar::new(u64::try_from(frames).unwrap_or(u64::MAX));
-    match style {
-        Ok(style) => bar.with_style(style),
-        Err(_) => bar,
-    }
 }

@@ -1,0 +1,192 @@
+//! Scenes of a spec at its instants: what `mesh` writes and `render` draws.
+
+use std::io::IsTerminal;
+use std::time::{Duration, Instant};
+
+use clap::{Args, ValueEnum};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+use trimline::diagnostic::{Code, Diagnostic};
+use trimline::method::Solution;
+use trimline::tessellate::{Field, Grid, Mesh, Scene, curvatures, instants, tessellate};
+use trimline::verify::residuals;
+
+use crate::failure::{Failure, print_warnings};
+use crate::options::{Collocation, Solving, Terminal, option_finding, read_grid};
+use crate::workflow::{Patched, Spec, common_times};
+
+/// What to solve, and into how many quads to cut it.
+#[derive(Args)]
+pub struct Meshing {
+    #[command(flatten)]
+    pub solving: Solving,
+
+    #[command(flatten)]
+    collocation: Collocation,
+
+    /// Quads across (u) and along (v).
+    #[arg(long, value_name = "NUxNV", default_value = "64x128")]
+    grid: String,
+
+    /// As many instants over the time domain, both ends included.
+    #[arg(long, value_name = "N", conflicts_with = "time")]
+    pub frames: Option<usize>,
+}
+
+/// Numbers at the vertices.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Quantity {
+    /// Gaussian and mean curvature.
+    Curvature,
+    /// Residual of the equation over its largest term.
+    Residual,
+}
+
+/// A spec, ready to be meshed at any instant.
+pub struct Scenes {
+    pub spec: Spec,
+    patched: Vec<Patched>,
+    grid: Grid,
+    quantities: Vec<Quantity>,
+}
+
+impl Scenes {
+    pub fn read(path: &str, meshing: &Meshing, quantities: &[Quantity]) -> Result<Scenes, Failure> {
+        let spec = Spec::read(path, &meshing.solving.reading)?;
+        let (u_cells, v_cells) = read_grid(&meshing.grid)?;
+        let grid = Grid::new(u_cells, v_cells, &spec.limits)
+            .map_err(|finding| option_finding("grid", &meshing.grid, finding))?;
+        let points = meshing.collocation.points.as_deref();
+        let patched: Result<Vec<Patched>, Failure> =
+            spec.patches.iter().map(|patch| spec.prepare(patch, &meshing.solving, points)).collect();
+        let patched = patched?;
+        Ok(Scenes { spec, patched, grid, quantities: quantities.to_vec() })
+    }
+
+    /// The instants: those of `--frames`, or the one of `--time`; at all of them every patch has a shape.
+    pub fn times(&self, meshing: &Meshing) -> Result<Vec<f64>, Failure> {
+        let range = common_times(&self.patched).ok_or_else(|| {
+            let finding = Diagnostic::new(Code::EmptyDomain, "no instant lies in the time domain of every patch");
+            self.spec.fault(finding.hint("choose patches with --patch, or state one `domain t in [..]` for all"))
+        })?;
+        match meshing.frames {
+            None => match meshing.solving.time {
+                None => Ok(vec![range[0]]),
+                time => {
+                    let times = self.patched.iter().map(|patch| patch.instant(time));
+                    Ok(times.collect::<Result<Vec<f64>, _>>()?.into_iter().take(1).collect())
+                }
+            },
+            Some(frames) => instants(range, frames, &self.spec.limits)
+                .map_err(|finding| option_finding("frames", &frames.to_string(), finding)),
+        }
+    }
+
+    /// What is to be seen at one instant, and what is to be said about it.
+    pub fn at(&self, time: f64) -> Result<(Scene, Vec<Diagnostic>), Failure> {
+        let mut scene = Scene { meshes: Vec::new(), time };
+        let mut warnings = Vec::new();
+        for patch in &self.patched {
+            let solution = self.spec.solve(patch, time)?.solution;
+            let ranges = (patch.prepared.domain.u, patch.prepared.domain.v);
+            let name = &patch.prepared.patch().name;
+            let (mut mesh, notes) = tessellate(name, &*solution.surface, ranges, time, self.grid)
+                .map_err(|finding| self.spec.fault(finding))?;
+            mesh.fields = self.fields(patch, &solution, &mesh, time).map_err(|finding| self.spec.fault(finding))?;
+            scene.meshes.push(mesh);
+            warnings.extend(solution.report.warnings);
+            warnings.extend(notes);
+        }
+        Ok((scene, warnings))
+    }
+
+    /// All instants with one topology, for an animation; says what is to be said about the first.
+    pub fn all(&mut self, times: &[f64], terminal: &Terminal) -> Result<Vec<Scene>, Failure> {
+        let frames = self.frames(times, terminal)?;
+        let closes = |scene: &Scene| scene.meshes.iter().map(|mesh| mesh.is_closed_in_v).collect::<Vec<_>>();
+        if frames.windows(2).all(|pair| matches!(pair, [a, b] if closes(a) == closes(b))) {
+            return Ok(frames);
+        }
+        // A patch that closes on itself at some instants only is left open at all.
+        self.grid = self.grid.with_open_seams();
+        self.frames(times, terminal)
+    }
+
+    fn frames(&self, times: &[f64], terminal: &Terminal) -> Result<Vec<Scene>, Failure> {
+        let progress = Progress::new(times.len(), terminal);
+        let mut frames = Vec::with_capacity(times.len());
+        for &time in times {
+            let (scene, warnings) = self.at(time)?;
+            if frames.is_empty() {
+                self.check_size(&scene, times.len())?;
+                print_warnings(&warnings, &self.spec.source, terminal);
+            }
+            frames.push(scene);
+            progress.advance();
+        }
+        progress.finish();
+        Ok(frames)
+    }
+
+    /// Before most of the memory is taken.
+    fn check_size(&self, scene: &Scene, frames: usize) -> Result<(), Failure> {
+        let vertices = frames.saturating_mul(scene.meshes.iter().map(|mesh| mesh.positions.len()).sum());
+        let limit = self.spec.limits.animated_vertices;
+        if frames < 2 || vertices <= limit {
+            return Ok(());
+        }
+        let message = format!(
+            "{frames} frames in one file have {vertices} vertices, over the limit `animated-vertices` of {limit}"
+        );
+        let finding = Diagnostic::new(Code::LimitReached, message).hint(
+            "ask for fewer frames or a coarser grid, write a format with a file for each frame, or raise the limit",
+        );
+        Err(option_finding("frames", &frames.to_string(), finding))
+    }
+
+    fn fields(&self, patch: &Patched, solution: &Solution, mesh: &Mesh, time: f64) -> Result<Vec<Field>, Diagnostic> {
+        let mut fields = Vec::new();
+        for quantity in &self.quantities {
+            match quantity {
+                Quantity::Curvature => fields.extend(curvatures(&*solution.surface, mesh, time)?),
+                Quantity::Residual => {
+                    let (u, v) = mesh.axes();
+                    let (problem, bindings) = (&self.spec.problem, &self.spec.bindings);
+                    let points = (u.as_slice(), v.as_slice(), time);
+                    let values = residuals(problem, patch.prepared.patch(), &*solution.surface, bindings, points)?;
+                    fields.push(Field { name: "residual", values });
+                }
+            }
+        }
+        Ok(fields)
+    }
+}
+
+/// A bar on work longer than a second, on a terminal only.
+pub struct Progress {
+    bar: ProgressBar,
+    start: Instant,
+}
+
+impl Progress {
+    pub fn new(steps: usize, terminal: &Terminal) -> Progress {
+        let is_shown = !terminal.quiet && steps > 1 && std::io::stderr().is_terminal();
+        let bar = if is_shown { ProgressBar::new(steps as u64) } else { ProgressBar::hidden() };
+        bar.set_draw_target(ProgressDrawTarget::hidden());
+        if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} frames, {eta} left") {
+            bar.set_style(style);
+        }
+        Progress { bar, start: Instant::now() }
+    }
+
+    pub fn advance(&self) {
+        if self.bar.is_hidden() && self.bar.length().is_some() && self.start.elapsed() > Duration::from_secs(1) {
+            self.bar.set_draw_target(ProgressDrawTarget::stderr());
+        }
+        self.bar.inc(1);
+    }
+
+    pub fn finish(&self) {
+        self.bar.finish_and_clear();
+    }
+}

@@ -1,0 +1,238 @@
+"""Reads the files that trimline writes with other people's readers, and compares them with `trimline eval`.
+
+Usage: check_files.py TRIMLINE EXAMPLES. Prints a line for each thing checked; the first that fails ends it.
+"""
+
+import csv
+import io
+import json
+import math
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as xml
+
+import lib3mf
+import meshio
+import numpy as np
+import trimesh
+from pxr import Sdf, Usd, UsdGeom, UsdValidation
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+HERE = pathlib.Path(__file__).parent
+
+# Evaluation on a grid and at points round differently: some hundred roundings of numbers of size 10.
+DOUBLE = 1e-13
+# Half a unit in the last place of a 32-bit float is 6e-8 of the number; a difference that is added, as much again.
+SINGLE = 1.3e-7
+
+
+class Case:
+    """A spec with its grid and instants, and what `trimline eval` says about it."""
+
+    def __init__(self, trimline, spec, folder, grid, frames, v_range, t_range, is_closed):
+        self.trimline, self.spec, self.folder, self.frames, self.is_closed = trimline, spec, folder, frames, is_closed
+        self.name, self.grid = spec.stem, grid
+        rows, columns = grid[0] + 1, grid[1] + (0 if is_closed else 1)
+        self.rows, self.columns = rows, columns
+        self.u = np.linspace(0, 1, rows)
+        self.v = np.linspace(*v_range, grid[1] + 1)[:columns]
+        self.t = np.linspace(*t_range, frames)
+        self.vertices, self.quads = rows * columns, grid[0] * grid[1]
+        self.positions, self.tangents_u, self.tangents_v = self.evaluate()
+
+    def evaluate(self):
+        points = io.StringIO()
+        writer = csv.writer(points)
+        writer.writerow("uvt")
+        for t in self.t:
+            writer.writerows((repr(float(u)), repr(float(v)), repr(float(t))) for u in self.u for v in self.v)
+        found = self.run("eval", "--points", "-", "--derivatives", "u,v", input=points.getvalue())
+        table = np.array([[float(x) for x in row] for row in list(csv.reader(io.StringIO(found)))[1:]])
+        table = table.reshape(self.frames, self.vertices, -1)
+        return table[..., 3:6], table[..., 6:9], table[..., 9:12]
+
+    def run(self, command, *options, input=None):
+        arguments = [self.trimline, command, str(self.spec), *options]
+        done = subprocess.run(arguments, input=input, capture_output=True, text=True)
+        assert done.returncode == 0, f"{' '.join(arguments)}\n{done.stderr}"
+        return done.stdout
+
+    def mesh(self, name, *options):
+        path = self.folder / name
+        self.run("mesh", "-o", str(path), "--grid", "x".join(map(str, self.grid)), "--quiet", *options)
+        return path
+
+    def animation(self, extension):
+        return self.mesh(f"{self.name}.{extension}", "--frames", str(self.frames))
+
+    def still(self, extension, *options):
+        return self.mesh(f"{self.name}.{extension}", *options)
+
+    def normals(self):
+        """Unit normals; at poles, where there are none from these tangents, NaN."""
+        normal = np.cross(self.tangents_u, self.tangents_v)
+        length = np.linalg.norm(normal, axis=-1, keepdims=True)
+        return np.where(length > 1e-9, normal / np.maximum(length, 1e-300), np.nan)
+
+
+def near(found, expected, tolerance, what):
+    found, expected = np.asarray(found, float), np.asarray(expected, float)
+    assert found.shape == expected.shape, f"{what}: {found.shape} instead of {expected.shape}"
+    known = np.isfinite(expected)
+    error = np.abs(found - expected)[known].max(initial=0)
+    size = np.abs(expected)[known].max(initial=1)
+    assert error <= tolerance * size and known.any(), f"{what}: off by {error:.1e} of {size:.1e}"
+
+
+def equal(found, expected, what):
+    assert found == expected, f"{what}: {found} instead of {expected}"
+
+
+def glb(case):
+    reader = ["node", str(HERE / "read_glb.js"), str(case.animation("glb"))]
+    found = json.loads(subprocess.run(reader, check=True, capture_output=True, text=True).stdout)
+    equal((found["issues"]["numErrors"], found["issues"]["numWarnings"]), (0, 0), f"validator: {found['issues']}")
+    equal(found["info"]["totalVertexCount"], case.vertices, "vertices")
+    near(found["times"], case.t, SINGLE, "times")
+    near(found["extras"].get("t", found["times"]), case.t, DOUBLE, "instants")
+    equal((found["channels"], found["interpolation"]), (["weights"], "LINEAR"), "animation")
+    [mesh] = found["meshes"]
+    equal((mesh["name"], mesh["triangles"]), (case.name, 2 * case.quads), "mesh")
+    equal(mesh["matrix"], np.eye(4).flatten().tolist(), "placement")
+    near(np.reshape(mesh["positions"], case.positions.shape), case.positions, SINGLE, "positions")
+    near(np.reshape(mesh["normals"], case.positions.shape), case.normals(), SINGLE, "normals")
+
+
+def glb_still(case):
+    [mesh] = trimesh.load(case.still("glb"), process=False).geometry.values()
+    near(mesh.vertices, case.positions[0], SINGLE, "positions")
+    equal(len(mesh.faces), 2 * case.quads, "triangles")
+
+
+def usd(case):
+    stage = Usd.Stage.Open(str(case.animation("usda")))
+    validators = UsdValidation.ValidationRegistry().GetOrLoadAllValidators()
+    errors = UsdValidation.ValidationContext(validators).Validate(stage)
+    assert len(validators) > 10 and not errors, [error.GetMessage() for error in errors]
+    [mesh] = [UsdGeom.Mesh(prim) for prim in stage.Traverse() if prim.IsA(UsdGeom.Mesh)]
+    codes = list(range(case.frames))
+    equal((stage.GetStartTimeCode(), stage.GetEndTimeCode()), (0, case.frames - 1), "range of time codes")
+    rate = stage.GetTimeCodesPerSecond()
+    near([case.t[0] + code / rate for code in codes], case.t, DOUBLE, "times")
+    instants = stage.GetDefaultPrim().GetAttribute("trimline:t")
+    equal(instants.GetTypeName(), Sdf.ValueTypeNames.Double, "type of the instants")
+    near([instants.Get(code) for code in codes], case.t, DOUBLE, "instants")
+    equal(mesh.GetPointsAttr().GetTimeSamples(), codes, "samples")
+    near([mesh.GetPointsAttr().Get(code) for code in codes], case.positions, SINGLE, "positions")
+    near([mesh.GetNormalsAttr().Get(code) for code in codes], case.normals(), SINGLE, "normals")
+    equal(list(mesh.GetFaceVertexCountsAttr().Get()), [4] * case.quads, "quads")
+    equal(mesh.GetPrim().GetDisplayName(), case.name, "name")
+    for code in codes:
+        extent = [case.positions[code].min(0), case.positions[code].max(0)]
+        near(mesh.GetExtentAttr().Get(code), extent, SINGLE, "extent")
+
+
+def npz(case):
+    found = np.load(case.animation("npz"))
+    shape = (case.frames, case.rows, case.columns, 3)
+    near(found["positions"], case.positions.reshape(shape), DOUBLE, "positions")
+    near(found["derivative_u"], case.tangents_u.reshape(shape), DOUBLE, "derivative in u")
+    near(found["derivative_v"], case.tangents_v.reshape(shape), DOUBLE, "derivative in v")
+    for name, expected in [("u", case.u), ("v", case.v), ("t", case.t)]:
+        near(found[name], expected, DOUBLE, name)
+
+
+def vtp(case):
+    frames = case.mesh(f"{case.name}.vtp", "--frames", str(case.frames), "--fields", "curvature,residual")
+    series = xml.parse(frames.with_suffix(".pvd")).findall("Collection/DataSet")
+    near([float(entry.get("timestep")) for entry in series], case.t, DOUBLE, "times")
+    for frame, entry in enumerate(series):
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName(str(case.folder / entry.get("file")))
+        reader.Update()
+        assert reader.GetErrorCode() == 0
+        data = reader.GetOutput()
+        equal((data.GetNumberOfPoints(), data.GetNumberOfPolys()), (case.vertices, case.quads), "counts")
+        near(vtk_to_numpy(data.GetPoints().GetData()), case.positions[frame], DOUBLE, "positions")
+        arrays = data.GetPointData()
+        near(vtk_to_numpy(arrays.GetArray("normals")), case.normals()[frame], 1e-9, "normals")
+        near(vtk_to_numpy(arrays.GetArray("derivative_u")), case.tangents_u[frame], DOUBLE, "derivative in u")
+        near(data.GetFieldData().GetArray("TimeValue").GetValue(0), case.t[frame], DOUBLE, "TimeValue")
+        equal(data.GetFieldData().GetAbstractArray("patches").GetValue(0), case.name, "name")
+        for name in ["gaussian_curvature", "mean_curvature", "residual"]:
+            equal(arrays.GetArray(name).GetNumberOfTuples(), case.vertices, name)
+        equal(set(vtk_to_numpy(data.GetCellData().GetArray("patch"))), {0}, "patch")
+
+
+def threemf(case):
+    model = lib3mf.get_wrapper().CreateModel()
+    reader = model.QueryReader("3mf")
+    reader.SetStrictModeActive(True)
+    reader.ReadFromFile(str(case.still("3mf")))
+    equal(reader.GetWarningCount(), 0, "warnings")
+    objects = model.GetMeshObjects()
+    equal(objects.Count(), 1, "objects")
+    assert objects.MoveNext()
+    mesh = objects.GetCurrentMeshObject()
+    equal((mesh.GetName(), mesh.GetTriangleCount()), (case.name, 2 * case.quads), "mesh")
+    near([list(vertex.Coordinates) for vertex in mesh.GetVertices()], case.positions[0], SINGLE, "positions")
+    equal(model.GetBuildItems().Count(), 1, "items to build")
+
+
+def ply(case):
+    path = case.still("ply", "--fields", "curvature,residual")
+    found = meshio.read(path)
+    near(found.points, case.positions[0], DOUBLE, "positions")
+    equal(found.cells_dict["quad"].shape, (case.quads, 4), "quads")
+    grid_u, grid_v = np.meshgrid(case.u, case.v, indexing="ij")
+    near(found.point_data["u"], grid_u.flatten(), DOUBLE, "u")
+    near(found.point_data["v"], grid_v.flatten(), DOUBLE, "v")
+    assert {"gaussian_curvature", "mean_curvature", "residual"} <= set(found.point_data)
+    near(trimesh.load(path, process=False).vertices, case.positions[0], DOUBLE, "positions of the second reader")
+
+
+def obj(case):
+    found = meshio.read(case.still("obj"))
+    near(found.points, case.positions[0], DOUBLE, "positions")
+    equal(found.cells_dict["quad"].shape, (case.quads, 4), "quads")
+
+
+def stl(case):
+    found = trimesh.load(case.still("stl"))
+    equal(len(found.faces), 2 * case.quads, "triangles")
+    # The reader merges equal corners, so vertices have no order.
+    distances = np.linalg.norm(case.positions[0][:, None] - found.vertices[None], axis=-1)
+    near(distances.min(axis=1), np.zeros(case.vertices), SINGLE * np.abs(case.positions[0]).max(), "positions")
+    near(distances.min(axis=0), np.zeros(len(found.vertices)), SINGLE * np.abs(case.positions[0]).max(), "vertices")
+
+
+def main(trimline, examples):
+    examples = pathlib.Path(examples)
+    readers = [glb, glb_still, usd, npz, vtp, threemf, ply, obj, stl]
+    with tempfile.TemporaryDirectory() as folder:
+        folder = pathlib.Path(folder)
+        # A name that is neither ASCII nor a word.
+        odd = folder / "Größe α & 'β' 2.trim"
+        shutil.copy(examples / "eq19.trim", odd)
+        cases = [
+            ("eq31_32", examples / "eq31_32.trim", (16, 32), 25, (0, 2 * math.pi), (0, 1), True),
+            ("p1_ex3", examples / "p1_ex3.trim", (6, 9), 1, (0, 2 * math.pi), (0, 1), False),
+            ("odd name", odd, (4, 7), 3, (0, 2 * math.pi), (0, 0.3), True),
+        ]
+        for label, spec, grid, frames, v_range, t_range, is_closed in cases:
+            case = Case(trimline, spec, folder, grid, frames, v_range, t_range, is_closed)
+            for reader in readers:
+                if reader in (glb, usd) and frames == 1:
+                    continue
+                try:
+                    reader(case)
+                except AssertionError as error:
+                    sys.exit(f"{label}: {reader.__name__}: {error}")
+                print(f"{label}: {reader.__name__} ok")
+
+
+main(*sys.argv[1:])
