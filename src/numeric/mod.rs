@@ -1,9 +1,11 @@
-//! Plain numerics: cardinal polynomials, collocation nodes, least squares. Knows nothing of the project.
+//! Plain numerics: cardinal polynomials, Chebyshev series, collocation nodes, least squares. Knows nothing of the project.
 
 mod cardinal;
+mod chebyshev;
 mod least_squares;
 mod nodes;
 
 pub use cardinal::CardinalPolynomials;
+pub use chebyshev::ChebyshevSeries;
 pub use least_squares::{LeastSquares, LeastSquaresError};
 pub use nodes::{NodeKind, nodes};

@@ -26,6 +26,13 @@ pub struct SeparableSurface {
 }
 
 impl SeparableSurface {
+    /// The derivative of order `order` in u of every G_j, so that `S = Σ_j G_j(u) F_j(v, t)`.
+    #[must_use]
+    pub fn amplitudes(&self, order: usize, u: f64) -> Vec<[f64; 3]> {
+        let coefficients = self.coefficients.first().map_or(&[][..], Vec::as_slice);
+        self.combined(&self.modes.derivatives(order, u), coefficients)
+    }
+
     /// The coefficients' derivatives that a derivative of order `order` in t needs, with their binomial factors
     /// and the order that is left for the basis.
     fn time_terms(&self, order: usize) -> Result<Vec<(&Coefficients, f64, usize)>, Diagnostic> {
@@ -57,7 +64,7 @@ impl SeparableSurface {
     }
 
     /// `G_j(u) = Σ_m φ_m(u) C_mj` for every j, from the values of the modes.
-    fn amplitudes(&self, modes: &[f64], coefficients: &Coefficients) -> Vec<[f64; 3]> {
+    fn combined(&self, modes: &[f64], coefficients: &[[f64; 3]]) -> Vec<[f64; 3]> {
         let mut sum = vec![[0.0; 3]; self.basis.len()];
         for (mode, row) in modes.iter().zip(coefficients.chunks(self.basis.len().max(1))) {
             for (total, coefficient) in sum.iter_mut().zip(row) {
@@ -77,7 +84,7 @@ impl Surface for SeparableSurface {
         for (coefficients, factor, order) in self.time_terms(derivative.t)? {
             let basis = self.basis.values(Derivative { t: order, ..derivative }, &self.params, &v, &t)?;
             for (index, ([u, ..], value)) in points.iter().zip(values.iter_mut()).enumerate() {
-                let amplitudes = self.amplitudes(&self.modes.derivatives(derivative.u, *u), coefficients);
+                let amplitudes = self.combined(&self.modes.derivatives(derivative.u, *u), coefficients);
                 for (amplitude, row) in amplitudes.iter().zip(basis.chunks(points.len().max(1))) {
                     add_scaled(value, factor * row.get(index).copied().unwrap_or(f64::NAN), amplitude);
                 }
@@ -98,7 +105,7 @@ impl Surface for SeparableSurface {
         for (coefficients, factor, order) in self.time_terms(derivative.t)? {
             let basis = self.basis.values(Derivative { t: order, ..derivative }, &self.params, v, &t)?;
             for (u, row) in u.iter().zip(values.chunks_mut(v.len().max(1))) {
-                let amplitudes = self.amplitudes(&self.modes.derivatives(derivative.u, *u), coefficients);
+                let amplitudes = self.combined(&self.modes.derivatives(derivative.u, *u), coefficients);
                 for (amplitude, function) in amplitudes.iter().zip(basis.chunks(v.len().max(1))) {
                     for (value, basis) in row.iter_mut().zip(function) {
                         add_scaled(value, factor * basis, amplitude);

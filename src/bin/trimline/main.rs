@@ -5,6 +5,7 @@
 
 mod basis;
 mod check;
+mod emit;
 mod eval;
 mod failure;
 mod mesh;
@@ -62,6 +63,8 @@ enum Command {
     Eval(eval::Arguments),
     /// Writes meshes: OBJ, PLY or STL by the file's extension.
     Mesh(mesh::Arguments),
+    /// Writes the solved surface as source code: GLSL, WGSL, C, Rust or NumPy.
+    Emit(emit::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -73,6 +76,7 @@ fn main() -> ExitCode {
         Command::Solve(arguments) => solve::run(&arguments, &terminal),
         Command::Eval(arguments) => eval::run(&arguments, &terminal),
         Command::Mesh(arguments) => mesh::run(&arguments, &terminal),
+        Command::Emit(arguments) => emit::run(&arguments, &terminal),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
