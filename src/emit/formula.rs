@@ -145,6 +145,14 @@ fn no_series() -> Diagnostic {
         .hint("use fewer terms, or write a mesh")
 }
 
+/// The G_j of `S(u, v, t) = Σ_j F_j(v, t) G_j(u)` as series: the x, y and z of each function, by degree.
+///
+/// # Errors
+/// [`Code::SolutionNotFinite`] when the surface is not smooth enough in u, and what the basis reports.
+pub fn amplitude_series(surface: &SeparableSurface, domain: DomainValues) -> Result<ChebyshevSeries, Diagnostic> {
+    amplitudes(surface, domain.u, 0, &basis_sizes(surface, domain)?)
+}
+
 /// How far each basis function reaches on the domain: what an error in its G_j is multiplied with.
 fn basis_sizes(surface: &SeparableSurface, domain: DomainValues) -> Result<Vec<f64>, Diagnostic> {
     let instants = match surface.instant {

@@ -19,7 +19,7 @@ mod rust;
 mod statements;
 mod wgsl;
 
-pub use formula::Formula;
+pub use formula::{Formula, amplitude_series};
 
 use crate::diagnostic::{Code, Diagnostic};
 

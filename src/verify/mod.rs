@@ -123,6 +123,23 @@ fn residual(
     v: &[f64],
     t: f64,
 ) -> Result<(f64, f64), Diagnostic> {
+    let (sums, largest) = residuals(problem, patch, surface, bindings, (u, v, t))?;
+    let residual = sums.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+    Ok((residual, largest))
+}
+
+/// The residual of the equation at instant `t` on the grid of all `u` and `v`, component after component, u-major; and
+/// the largest single term.
+///
+/// # Errors
+/// [`Code::SolutionNotFinite`] when a residual is not finite, and what the surface reports.
+pub fn residuals(
+    problem: &Problem,
+    patch: &Patch,
+    surface: &dyn Surface,
+    bindings: &Bindings,
+    (u, v, t): (&[f64], &[f64], f64),
+) -> Result<(Vec<f64>, f64), Diagnostic> {
     let points = u.len() * v.len();
     // The force stands on the right of the equation.
     let mut sums: Vec<f64> =
@@ -140,15 +157,13 @@ fn residual(
             }
         }
     }
-    let residual =
-        sums.iter().fold(0.0_f64, |most, value| if value.is_nan() { f64::INFINITY } else { most.max(value.abs()) });
-    if !residual.is_finite() {
+    if !sums.iter().all(|value| value.is_finite()) {
         let finding =
             Diagnostic::new(Code::SolutionNotFinite, "the residual of the equation is not finite on the domain")
                 .hint("a coefficient or the force has a pole, or the solution overflows");
         return Err(finding.at(patch.operator.origin));
     }
-    Ok((residual, largest))
+    Ok((sums, largest))
 }
 
 /// The value of three expressions on the grid, component after component, u-major.

@@ -12,6 +12,8 @@ mod mesh;
 mod options;
 mod output;
 mod solve;
+#[cfg(feature = "view")]
+mod view;
 mod workflow;
 
 use std::process::ExitCode;
@@ -65,6 +67,9 @@ enum Command {
     Mesh(mesh::Arguments),
     /// Writes the solved surface as source code: GLSL, WGSL, C, Rust or NumPy.
     Emit(emit::Arguments),
+    /// Serves the interactive view on this machine: sliders, time, shading; follows the file as it is edited.
+    #[cfg(feature = "view")]
+    View(view::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -77,6 +82,8 @@ fn main() -> ExitCode {
         Command::Eval(arguments) => eval::run(&arguments, &terminal),
         Command::Mesh(arguments) => mesh::run(&arguments, &terminal),
         Command::Emit(arguments) => emit::run(&arguments, &terminal),
+        #[cfg(feature = "view")]
+        Command::View(arguments) => view::run(arguments, &terminal),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
