@@ -37,6 +37,7 @@
 pub mod blend;
 pub mod decompose;
 pub mod diagnostic;
+pub mod emit;
 pub mod eval;
 pub mod export;
 pub mod expr;

@@ -80,6 +80,29 @@ impl Basis {
         }
     }
 
+    /// One program for some derivatives of every function: all functions of the first derivative, then of the next.
+    ///
+    /// # Errors
+    /// [`Code::NotDifferentiable`] for a derivative that does not exist, [`Code::LimitReached`] for one that grows too
+    /// large.
+    pub fn program(&self, derivatives: &[Derivative]) -> Result<Program, Diagnostic> {
+        let mut guard = self.compiled.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut outputs = Vec::with_capacity(derivatives.len() * self.functions.len());
+        for derivative in derivatives {
+            outputs.extend(self.derived(&mut guard.graph, *derivative)?);
+        }
+        Ok(Program::compile(&guard.graph, &outputs))
+    }
+
+    /// A derivative of every function.
+    fn derived(&self, graph: &mut Graph, derivative: Derivative) -> Result<Vec<ExprId>, Diagnostic> {
+        let derived = |(expr, origin): &(ExprId, Option<Span>)| {
+            let result = graph.derivative_within(*expr, derivative, self.graph_nodes);
+            result.map_err(|fault| fault.to_diagnostic(derivative, self.graph_nodes).at(*origin))
+        };
+        self.functions.iter().map(derived).collect()
+    }
+
     fn evaluator(&self, derivative: Derivative) -> Result<Arc<dyn Evaluator>, Diagnostic> {
         // A panic elsewhere cannot leave the graph inconsistent: it only ever grows.
         let mut guard = self.compiled.lock().unwrap_or_else(PoisonError::into_inner);
@@ -87,11 +110,7 @@ impl Basis {
         if let Some(evaluator) = evaluators.get(&derivative) {
             return Ok(Arc::clone(evaluator));
         }
-        let mut outputs = Vec::with_capacity(self.functions.len());
-        for (expr, origin) in &self.functions {
-            let result = graph.derivative_within(*expr, derivative, self.graph_nodes);
-            outputs.push(result.map_err(|fault| fault.to_diagnostic(derivative, self.graph_nodes).at(*origin))?);
-        }
+        let outputs = self.derived(graph, derivative)?;
         let (evaluator, _) = compile(Program::compile(graph, &outputs), self.backend);
         evaluators.insert(derivative, Arc::clone(&evaluator));
         Ok(evaluator)

@@ -26,6 +26,14 @@ pub struct SeparableSurface {
 }
 
 impl SeparableSurface {
+    /// The derivative of order `order` in u of every G_j, so that `S = Σ_j G_j(u) F_j(v, t)`.
+    #[must_use]
+    pub fn amplitudes(&self, order: usize, u: f64) -> Vec<[f64; 3]> {
+        self.coefficients.first().map_or_else(Vec::new, |coefficients| {
+            self.combined(&self.modes.derivatives(order, u), &self.rows(coefficients))
+        })
+    }
+
     /// The coefficients' derivatives that a derivative of order `order` in t needs, with their binomial factors
     /// and the order that is left for the basis.
     fn time_terms(&self, order: usize) -> Result<Vec<(&Coefficients, f64, usize)>, Diagnostic> {
@@ -57,7 +65,7 @@ impl SeparableSurface {
     }
 
     /// `G_j(u) = Σ_m φ_m(u) C_mj` for every j, from the values of the modes.
-    fn amplitudes(&self, modes: &[f64], rows: &Rows) -> Vec<[f64; 3]> {
+    fn combined(&self, modes: &[f64], rows: &Rows) -> Vec<[f64; 3]> {
         let mut sum = vec![[0.0; 3]; self.basis.len()];
         for (mode, row) in modes.iter().zip(rows) {
             for (j, coefficient) in row {
@@ -91,7 +99,7 @@ impl Surface for SeparableSurface {
             let basis = self.basis.values(Derivative { t: order, ..derivative }, &self.params, &v, &t)?;
             let rows = self.rows(coefficients);
             for (index, ([u, ..], value)) in points.iter().zip(values.iter_mut()).enumerate() {
-                let amplitudes = self.amplitudes(&self.modes.derivatives(derivative.u, *u), &rows);
+                let amplitudes = self.combined(&self.modes.derivatives(derivative.u, *u), &rows);
                 for (amplitude, row) in amplitudes.iter().zip(basis.chunks(points.len().max(1))) {
                     add_scaled(value, factor * row.get(index).copied().unwrap_or(f64::NAN), amplitude);
                 }
@@ -113,7 +121,7 @@ impl Surface for SeparableSurface {
             let basis = self.basis.values(Derivative { t: order, ..derivative }, &self.params, v, &t)?;
             let rows = self.rows(coefficients);
             for (u, row) in u.iter().zip(values.chunks_mut(v.len().max(1))) {
-                let amplitudes = self.amplitudes(&self.modes.derivatives(derivative.u, *u), &rows);
+                let amplitudes = self.combined(&self.modes.derivatives(derivative.u, *u), &rows);
                 for (amplitude, function) in amplitudes.iter().zip(basis.chunks(v.len().max(1))) {
                     for (value, basis) in row.iter_mut().zip(function) {
                         add_scaled(value, factor * basis, amplitude);

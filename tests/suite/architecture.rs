@@ -13,7 +13,7 @@ const RANKS: &[(u8, &[&str])] = &[
     (2, &["syntax", "problem", "eval", "trial"]),
     (3, &["resolve", "decompose", "surface"]),
     (4, &["method", "verify", "tessellate"]),
-    (5, &["blend", "export", "render"]),
+    (5, &["blend", "emit", "export", "render"]),
 ];
 
 /// Never, whatever the ranks say: importer and imported.

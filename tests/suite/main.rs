@@ -13,6 +13,7 @@ mod derivatives;
 mod diagnostics;
 mod display;
 mod documents;
+mod emitted;
 mod evaluators;
 mod exact;
 mod exports;

@@ -5,6 +5,7 @@
 
 mod basis;
 mod check;
+mod emit;
 mod eval;
 mod failure;
 mod mesh;
@@ -12,6 +13,8 @@ mod options;
 mod output;
 mod scenes;
 mod solve;
+#[cfg(feature = "view")]
+mod view;
 mod workflow;
 
 use std::process::ExitCode;
@@ -63,6 +66,11 @@ enum Command {
     Eval(eval::Arguments),
     /// Writes meshes and animations; the format by the extension of the file.
     Mesh(mesh::Arguments),
+    /// Writes the solved surface as source code: GLSL, WGSL, C, Rust or NumPy.
+    Emit(emit::Arguments),
+    /// Serves the interactive view on this machine: sliders, time, shading; follows the file as it is edited.
+    #[cfg(feature = "view")]
+    View(view::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -74,6 +82,9 @@ fn main() -> ExitCode {
         Command::Solve(arguments) => solve::run(&arguments, &terminal),
         Command::Eval(arguments) => eval::run(&arguments, &terminal),
         Command::Mesh(arguments) => mesh::run(&arguments, &terminal),
+        Command::Emit(arguments) => emit::run(&arguments, &terminal),
+        #[cfg(feature = "view")]
+        Command::View(arguments) => view::run(arguments, &terminal),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -19,6 +19,7 @@ use crate::failure::Failure;
 use crate::options::{Reading, Solving, option_finding};
 
 /// A spec that was read, with the user's parameter values.
+#[derive(Clone)]
 pub struct Spec {
     pub source: Source,
     pub limits: Limits,
@@ -57,13 +58,17 @@ impl Spec {
         let document = syntax::parse(&source, &limits).map_err(|findings| Failure::found(&source, findings))?;
         let stem =
             Path::new(&name).file_stem().map_or_else(|| name.clone(), |stem| stem.to_string_lossy().into_owned());
-        let mut problem = resolve(&document, &stem, &limits).map_err(|findings| Failure::found(&source, findings))?;
-        for change in &reading.set {
-            set(&mut problem, change, &limits)?;
-        }
-        let bindings = Bindings::evaluate(&problem).map_err(|finding| overridden(&source, reading, finding))?;
+        let problem = resolve(&document, &stem, &limits).map_err(|findings| Failure::found(&source, findings))?;
+        let (problem, bindings) = with_values(problem, &source, &reading.set, &limits)?;
         let patches = select(&problem, reading.patch.as_deref())?;
         Ok(Spec { source, limits, problem, bindings, patches, parse_seconds: start.elapsed().as_secs_f64() })
+    }
+
+    /// This spec with other values of params or coefficients, each `NAME=EXPR`.
+    #[cfg(feature = "view")]
+    pub fn with(&self, changes: &[String]) -> Result<Spec, Failure> {
+        let (problem, bindings) = with_values(self.problem.clone(), &self.source, changes, &self.limits)?;
+        Ok(Spec { problem, bindings, ..self.clone() })
     }
 
     /// A failure that points into this spec.
@@ -143,6 +148,20 @@ fn read_bytes(path: &str, limits: &Limits) -> Result<(String, Vec<u8>), Failure>
     Ok((path.to_owned(), bytes))
 }
 
+/// A problem with some values changed, and the number behind every symbol.
+fn with_values(
+    mut problem: Problem,
+    source: &Source,
+    changes: &[String],
+    limits: &Limits,
+) -> Result<(Problem, Bindings), Failure> {
+    for change in changes {
+        set(&mut problem, change, limits)?;
+    }
+    let bindings = Bindings::evaluate(&problem).map_err(|finding| overridden(source, changes, finding))?;
+    Ok((problem, bindings))
+}
+
 fn set(problem: &mut Problem, change: &str, limits: &Limits) -> Result<(), Failure> {
     let Some((name, value)) = change.split_once('=') else {
         return Err(Failure::Usage(format!("`--set {change}`: write NAME=EXPR, for example --set h1=-2")));
@@ -157,8 +176,8 @@ fn set(problem: &mut Problem, change: &str, limits: &Limits) -> Result<(), Failu
 }
 
 /// A finding about a parameter's value that came from an option points at the option.
-fn overridden(source: &Source, reading: &Reading, finding: Diagnostic) -> Failure {
-    let named = reading.set.iter().find(|change| {
+fn overridden(source: &Source, changes: &[String], finding: Diagnostic) -> Failure {
+    let named = changes.iter().find(|change| {
         let name = change.split_once('=').map_or("", |(name, _)| name.trim());
         finding.span.is_none() && finding.message.contains(&format!("`{}`", trimline::expr::canonical_name(name)))
     });

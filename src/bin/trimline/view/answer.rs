@@ -1,0 +1,234 @@
+//! The scene as JSON: what is wrong, what can be changed, and each patch in the form the page evaluates.
+//!
+//! A patch is `S(u, v, t) = Σ_j F_j(v, t) G_j(u)`. The F_j travel as a straight-line program with their derivatives in
+//! v, the G_j as Chebyshev series, the boundary data as a program of their own: so the page draws at any resolution and
+//! any t, and measures the gap at the boundary, without asking again.
+
+use std::time::Instant;
+
+use serde::Serialize;
+use serde_json::{Value, json};
+
+use trimline::diagnostic::Diagnostic;
+use trimline::emit::amplitude_series;
+use trimline::eval::{Op, OpId, Program};
+use trimline::export::Format;
+use trimline::expr::{Derivative, unicode_name};
+use trimline::method::Solution;
+use trimline::numeric::ChebyshevSeries;
+use trimline::problem::ParameterKind;
+
+use super::finding::Finding;
+use super::live::{Answerable, Live};
+use super::notation;
+use super::server::Question;
+use crate::failure::Failure;
+use crate::workflow::{Patched, Solved, Spec};
+
+/// Everything the page shows.
+#[derive(Serialize)]
+pub struct Scene {
+    /// How often the spec was read.
+    revision: u64,
+    /// The spec's path.
+    name: String,
+    /// Whether the surface belongs to the newest text; otherwise `findings` says what is wrong with that.
+    is_current: bool,
+    findings: Vec<Finding>,
+    /// The surface; `None` while there is none.
+    solved: Option<SolvedScene>,
+    formats: Vec<&'static str>,
+    /// From the question to the answer.
+    milliseconds: f64,
+}
+
+#[derive(Serialize)]
+struct SolvedScene {
+    parameters: Vec<Parameter>,
+    patches: Vec<Patch>,
+}
+
+/// Something with a slider.
+#[derive(Serialize)]
+struct Parameter {
+    name: String,
+    label: String,
+    value: f64,
+    range: Option<[f64; 2]>,
+    is_coefficient: bool,
+}
+
+#[derive(Serialize)]
+struct Patch {
+    name: String,
+    domain: [[f64; 2]; 3],
+    /// The instant it was solved at.
+    time: f64,
+    /// Whether it holds at that instant only.
+    is_instant: bool,
+    /// The value of every symbol of the programs.
+    symbols: Vec<f64>,
+    /// F_1 …, then their first derivatives in v, then the second where they exist.
+    basis: Value,
+    count: usize,
+    amplitudes: Series,
+    /// x, y and z of each condition.
+    boundary: Value,
+    conditions: Vec<Condition>,
+    equation: String,
+    functions: Vec<String>,
+    report: Value,
+}
+
+#[derive(Serialize)]
+struct Condition {
+    u: f64,
+    order: usize,
+    text: String,
+}
+
+/// A Chebyshev series: a row for each degree.
+#[derive(Serialize)]
+struct Series {
+    range: [f64; 2],
+    coefficients: Vec<Vec<f64>>,
+}
+
+impl Scene {
+    /// The scene at the page's instant and values.
+    pub fn of(live: &Live, question: &Question) -> Scene {
+        let start = Instant::now();
+        let revision = *live.revision.borrow();
+        live.answer(&question.changes, question.time, |answerable, failure| {
+            let mut findings = failure.map(Finding::of_failure).unwrap_or_default();
+            let solved = match answerable.map(|answerable| answerable.and_then(|it| SolvedScene::of(&it))) {
+                Some(Ok((solved, warnings))) => {
+                    findings.extend(warnings);
+                    Some(solved)
+                }
+                Some(Err(fault)) => {
+                    findings.extend(Finding::of_failure(&fault));
+                    None
+                }
+                None => None,
+            };
+            Scene {
+                revision,
+                name: live.path.clone(),
+                is_current: failure.is_none(),
+                findings,
+                solved,
+                formats: Format::ALL.iter().map(|format| format.extension()).collect(),
+                milliseconds: 1e3 * start.elapsed().as_secs_f64(),
+            }
+        })
+    }
+}
+
+impl SolvedScene {
+    fn of(answerable: &Answerable<'_>) -> Result<(SolvedScene, Vec<Finding>), Failure> {
+        let spec = answerable.spec;
+        let mut warnings = Vec::new();
+        let mut patches = Vec::new();
+        for (patched, solved) in &answerable.patches {
+            let found = &solved.solution.report.warnings;
+            warnings.extend(found.iter().map(|warning| Finding::new(warning, Some(&spec.source))));
+            patches.push(patch(spec, patched, solved).map_err(|finding| spec.fault(finding))?);
+        }
+        let parameters = parameters(spec).map_err(|finding| spec.fault(finding))?;
+        Ok((SolvedScene { parameters, patches }, warnings))
+    }
+}
+
+fn parameters(spec: &Spec) -> Result<Vec<Parameter>, Diagnostic> {
+    let (problem, bindings) = (&spec.problem, &spec.bindings);
+    let mut all = Vec::with_capacity(problem.parameters.len());
+    for parameter in &problem.parameters {
+        let constant = |expr| bindings.constant(problem, expr, parameter.origin, "the end of a range");
+        let range = match parameter.interval {
+            Some([low, high]) => Some([constant(low)?, constant(high)?]),
+            None => None,
+        };
+        all.push(Parameter {
+            name: parameter.name.clone(),
+            label: unicode_name(&parameter.name),
+            value: bindings.as_slice().get(parameter.symbol.index()).copied().unwrap_or(f64::NAN),
+            range,
+            is_coefficient: parameter.kind == ParameterKind::Coefficient,
+        });
+    }
+    Ok(all)
+}
+
+fn patch(spec: &Spec, patched: &Patched, solved: &Solved) -> Result<Patch, Diagnostic> {
+    let (prepared, surface) = (&patched.prepared, &solved.solution.surface);
+    let (stated, domain, graph) = (prepared.patch(), prepared.domain, &spec.problem.graph);
+    let slopes = [Derivative::NONE, Derivative::new(0, 1, 0), Derivative::new(0, 2, 0)];
+    // A basis with a kink has no second derivative, so no curvature; without the first there is no normal either.
+    let basis = surface.basis.program(&slopes).or_else(|_| surface.basis.program(&slopes[..2]))?;
+    let data: Vec<_> = stated.conditions.iter().flat_map(|condition| condition.value).collect();
+    let mut conditions = Vec::with_capacity(stated.conditions.len());
+    for condition in &stated.conditions {
+        let u = spec.bindings.constant(&spec.problem, condition.u, None, "the position of a boundary")?;
+        conditions.push(Condition { u, order: condition.order, text: notation::condition(graph, condition) });
+    }
+    let functions = prepared.decomposition.basis.iter();
+    Ok(Patch {
+        name: stated.name.clone(),
+        domain: [domain.u, domain.v, domain.t],
+        time: solved.time,
+        is_instant: surface.instant.is_some(),
+        symbols: surface.params.clone(),
+        basis: program(&basis),
+        count: surface.basis.len(),
+        amplitudes: series(amplitude_series(surface, domain)?),
+        boundary: program(&Program::compile(graph, &data)),
+        conditions,
+        equation: notation::equation(graph, &stated.operator),
+        functions: functions
+            .map(|function| notation::expression(&prepared.decomposition.graph, function.expr))
+            .collect(),
+        report: report(&solved.solution, solved),
+    })
+}
+
+fn report(solution: &Solution, solved: &Solved) -> Value {
+    let (report, measured) = (&solution.report, &solved.measured);
+    json!({
+        "method": report.method,
+        "exact": report.is_exact,
+        "basis_size": report.basis_size,
+        "closure_size": report.closure_size,
+        "modes": report.modes,
+        "boundary_error": measured.boundary_error(),
+        "pde_residual": measured.relative_residual(),
+        "amplification": report.amplification,
+        "condition": report.condition,
+        "rank": report.rank,
+        "unknowns": report.unknowns,
+        "milliseconds": 1e3 * solved.solve_seconds,
+    })
+}
+
+fn series(series: ChebyshevSeries) -> Series {
+    Series { range: series.range, coefficients: series.coefficients }
+}
+
+/// `{"ops": [["const", 0.8], ["v"], ["sin", 1], ["mul", 0, 2]], "outputs": [3]}`: operands are positions in the list.
+fn program(program: &Program) -> Value {
+    let op = |op: &Op| match op.map(OpId::index) {
+        Op::Constant(value) => json!(["const", value]),
+        Op::Parameter(index) => json!(["symbol", index]),
+        Op::Variable(variable) => json!([variable.name()]),
+        Op::Neg(a) => json!(["neg", a]),
+        Op::Add(a, b) => json!(["add", a, b]),
+        Op::Sub(a, b) => json!(["sub", a, b]),
+        Op::Mul(a, b) => json!(["mul", a, b]),
+        Op::Div(a, b) => json!(["div", a, b]),
+        Op::Sqrt(a) => json!(["sqrt", a]),
+        Op::Call1(function, a) => json!([function.row().name, a]),
+        Op::Call2(function, a, b) => json!([function.row().name, a, b]),
+    };
+    let outputs = program.output_ops().iter().map(|id| id.index());
+    json!({ "ops": program.ops().iter().map(op).collect::<Vec<_>>(), "outputs": outputs.collect::<Vec<_>>() })
+}

@@ -1,0 +1,51 @@
+//! A mesh of what the page shows, as a file to keep.
+
+use axum::http::header;
+use axum::response::IntoResponse;
+
+use trimline::export::{Format, write};
+use trimline::tessellate::{Grid, Scene, tessellate};
+
+use super::live::{Answerable, Live};
+use super::server::Question;
+use crate::failure::Failure;
+use crate::options::{option_finding, read_grid};
+
+/// `format=obj&grid=64x128` at the page's instant and values, in full precision.
+pub fn of(live: &Live, question: &Question) -> Result<impl IntoResponse + use<>, Failure> {
+    let extension = question.option("format").unwrap_or("obj");
+    let format =
+        Format::from_extension(extension).ok_or_else(|| Failure::Usage(format!("there is no format `{extension}`")))?;
+    let grid = read_grid(question.option("grid").unwrap_or("64x128"))?;
+    live.answer(&question.changes, question.time, |answerable, failure| {
+        let answerable = match (answerable, failure) {
+            (Some(answerable), _) => answerable?,
+            (None, _) => return Err(Failure::Usage("the spec has errors, so there is nothing to export".to_owned())),
+        };
+        let scene = scene(&answerable, grid)?;
+        let mut bytes = Vec::new();
+        write(&scene, format, &mut bytes)
+            .map_err(|error| Failure::Found { source: None, findings: vec![error.to_diagnostic()] })?;
+        let name = scene.meshes.first().map_or("surface", |mesh| mesh.name.as_str());
+        let name: String = name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
+        let disposition = format!("attachment; filename=\"{name}.{}\"", format.extension());
+        let kind = "application/octet-stream".to_owned();
+        Ok(([(header::CONTENT_TYPE, kind), (header::CONTENT_DISPOSITION, disposition)], bytes))
+    })
+}
+
+fn scene(answerable: &Answerable<'_>, (u_cells, v_cells): (usize, usize)) -> Result<Scene, Failure> {
+    let spec = answerable.spec;
+    let grid = Grid::new(u_cells, v_cells, &spec.limits)
+        .map_err(|finding| option_finding("grid", &format!("{u_cells}x{v_cells}"), finding))?;
+    let mut meshes = Vec::new();
+    let mut time = 0.0;
+    for (patched, solved) in &answerable.patches {
+        let prepared = &patched.prepared;
+        let ranges = (prepared.domain.u, prepared.domain.v);
+        let mesh = tessellate(&prepared.patch().name, &*solved.solution.surface, ranges, solved.time, grid);
+        meshes.push(mesh.map_err(|finding| spec.fault(finding))?.0);
+        time = solved.time;
+    }
+    Ok(Scene { meshes, time })
+}

@@ -1,0 +1,122 @@
+//! The spec as it is now: the last text that could be read, ready to be solved, and what is wrong with the newest.
+
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use tokio::sync::watch;
+
+use crate::failure::Failure;
+use crate::options::{Solving, Terminal};
+use crate::workflow::{Patched, Solved, Spec};
+
+/// A spec that is read again when its file changes.
+pub struct Live {
+    /// Its path, or `-`.
+    pub path: String,
+    solving: Solving,
+    points: Option<String>,
+    state: Mutex<State>,
+    /// How often it was read.
+    pub revision: watch::Sender<u64>,
+}
+
+struct State {
+    /// The last spec without errors.
+    good: Option<Compiled>,
+    /// Why the newest text is not it.
+    failure: Option<Failure>,
+}
+
+/// A spec whose patches are compiled.
+struct Compiled {
+    spec: Spec,
+    patches: Vec<Patched>,
+}
+
+/// A spec with values from the page, and its patches solved at one instant.
+pub struct Answerable<'a> {
+    pub spec: &'a Spec,
+    pub patches: Vec<(&'a Patched, Solved)>,
+}
+
+impl Live {
+    /// Reads the spec; only a path that cannot be read is a failure.
+    pub fn open(path: String, solving: Solving, points: Option<String>) -> Result<Live, Failure> {
+        let compiled = Compiled::read(&path, &solving, points.as_deref());
+        let state = match compiled {
+            Ok(compiled) => State { good: Some(compiled), failure: None },
+            Err(failure @ Failure::Found { .. }) => State { good: None, failure: Some(failure) },
+            Err(failure) => return Err(failure),
+        };
+        Ok(Live { path, solving, points, state: Mutex::new(state), revision: watch::Sender::new(1) })
+    }
+
+    /// Says on standard error what is wrong.
+    pub fn print_findings(&self, terminal: &Terminal) {
+        if let Some(failure) = &self.state().failure {
+            failure.print(terminal);
+        }
+    }
+
+    /// Reads the file again; the last good text stays until there is a better one.
+    pub fn reload(&self) {
+        let compiled = Compiled::read(&self.path, &self.solving, self.points.as_deref());
+        let mut state = self.state();
+        match compiled {
+            Ok(compiled) => *state = State { good: Some(compiled), failure: None },
+            Err(failure) => state.failure = Some(failure),
+        }
+        drop(state);
+        self.revision.send_modify(|revision| *revision += 1);
+    }
+
+    /// Solves the last good text with `changes` at `time`, and gives it and what is wrong with the newest text to
+    /// `answer`; `None` if there is no good text.
+    ///
+    /// One at a time: a solution may take all the memory that limits allow.
+    pub fn answer<T>(
+        &self,
+        changes: &[String],
+        time: Option<f64>,
+        answer: impl FnOnce(Option<Result<Answerable<'_>, Failure>>, Option<&Failure>) -> T,
+    ) -> T {
+        let mut state = self.state();
+        let State { good, failure } = &mut *state;
+        let Some(compiled) = good else { return answer(None, failure.as_ref()) };
+        let spec = match compiled.spec.with(changes) {
+            Ok(spec) => spec,
+            Err(fault) => return answer(Some(Err(fault)), failure.as_ref()),
+        };
+        let solved = compiled.solve(&spec, time.or(self.solving.time));
+        let answerable = solved.map(|patches| Answerable { spec: &spec, patches });
+        answer(Some(answerable), failure.as_ref())
+    }
+
+    fn state(&self) -> MutexGuard<'_, State> {
+        // A panic elsewhere leaves a spec that can still be solved.
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Compiled {
+    fn read(path: &str, solving: &Solving, points: Option<&str>) -> Result<Compiled, Failure> {
+        let spec = Spec::read(path, &solving.reading)?;
+        let patches =
+            spec.patches.iter().map(|patch| spec.prepare(patch, solving, points)).collect::<Result<_, _>>()?;
+        Ok(Compiled { spec, patches })
+    }
+
+    fn solve(&mut self, spec: &Spec, time: Option<f64>) -> Result<Vec<(&Patched, Solved)>, Failure> {
+        for patched in &mut self.patches {
+            let domain = patched.prepared.patch().domain.evaluate(&spec.problem, &spec.bindings);
+            patched.prepared.domain = domain.map_err(|finding| spec.fault(finding))?;
+        }
+        let mut solved = Vec::with_capacity(self.patches.len());
+        for patched in &self.patches {
+            let [start, end] = patched.prepared.domain.t;
+            // An edit may have moved the time domain away from the page's instant.
+            let time = time.unwrap_or(start).clamp(start, end);
+            solved.push((patched, spec.solve(patched, time)?));
+        }
+        Ok(solved)
+    }
+}

@@ -1,0 +1,194 @@
+// The picture: camera, patches, trimlines, edges and tangent arrows. Drawn when something changed, not all the time.
+
+import * as THREE from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { Patch } from "./patch.js";
+import { evenly } from "./program.js";
+import { SHADES, sharedUniforms } from "./shading.js";
+
+const ARROWS = 24;
+const COLORS = { trimlines: 0xd1495b, edges: 0x30343c, arrows: 0x2a9d5c };
+
+export class Stage {
+  constructor(canvas, onCamera) {
+    this.canvas = canvas;
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    this.scene = new THREE.Scene();
+    this.camera = new THREE.PerspectiveCamera(35, 1, 0.01, 100);
+    this.camera.up.set(0, 0, 1);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.addEventListener("change", () => { this.invalidate(); onCamera(); });
+    this.shared = sharedUniforms();
+    this.patches = [];
+    this.curves = new THREE.Group();
+    this.scene.add(this.curves);
+    this.layers = { trimlines: true, edges: true, arrows: true };
+    this.isPlaced = false;
+    this.frames = 0;
+    this.afterFrame = [];
+    new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.paper());
+    this.paper();
+    this.resize();
+  }
+
+  paper() {
+    this.scene.background = new THREE.Color(matchMedia("(prefers-color-scheme: dark)").matches ? 0x15171b : 0xffffff);
+    this.invalidate();
+  }
+
+  resize() {
+    const { clientWidth, clientHeight } = this.canvas.parentElement;
+    this.renderer.setSize(clientWidth, clientHeight, false);
+    this.camera.aspect = clientWidth / Math.max(clientHeight, 1);
+    this.camera.updateProjectionMatrix();
+    this.invalidate();
+  }
+
+  invalidate() {
+    if (this.pending) return;
+    this.pending = requestAnimationFrame(() => { this.pending = 0; this.render(); });
+  }
+
+  render() {
+    this.renderer.render(this.scene, this.camera);
+    this.frames += 1;
+    this.afterFrame.splice(0).forEach((report) => report());
+  }
+
+  // New numbers for all patches.
+  show(data, cells, time) {
+    while (this.patches.length > data.length) {
+      const gone = this.patches.pop();
+      this.scene.remove(gone.mesh);
+      gone.dispose();
+    }
+    while (this.patches.length < data.length) {
+      const patch = new Patch(this.shared);
+      this.patches.push(patch);
+      this.scene.add(patch.mesh);
+    }
+    data.forEach((patch, index) => this.patches[index].set(patch, cells, time));
+    if (!this.isPlaced) this.placeCamera();
+    this.redrawCurves();
+  }
+
+  knows(time) {
+    return this.patches.every((patch) => patch.knows(time));
+  }
+
+  setTime(time) {
+    this.patches.forEach((patch) => patch.setTime(time));
+    this.redrawCurves();
+  }
+
+  // A few points of every patch: what the picture has to hold.
+  bounds() {
+    const box = new THREE.Box3();
+    for (const patch of this.patches) {
+      const [u, v] = patch.data.domain;
+      patch.points(evenly(u, 8), evenly(v, 16)).flat().forEach((point) => box.expandByPoint(new THREE.Vector3(...point)));
+    }
+    return box.getBoundingSphere(new THREE.Sphere());
+  }
+
+  placeCamera() {
+    const { center, radius } = this.bounds();
+    this.radius = radius || 1;
+    this.shared.size.value = this.radius;
+    this.camera.near = this.radius / 100;
+    this.camera.far = this.radius * 100;
+    this.camera.updateProjectionMatrix();
+    this.controls.target.copy(center);
+    this.camera.position.set(0.9, -1.6, 0.9).normalize().multiplyScalar(3.4 * this.radius).add(center);
+    this.controls.update();
+    this.isPlaced = this.patches.length > 0;
+  }
+
+  // Position and target, for the address.
+  get view() {
+    return [...this.camera.position.toArray(), ...this.controls.target.toArray()].map((x) => Number(x.toPrecision(5)));
+  }
+
+  set view(numbers) {
+    this.camera.position.fromArray(numbers, 0);
+    this.controls.target.fromArray(numbers, 3);
+    this.controls.update();
+  }
+
+  redrawCurves() {
+    for (const old of this.curves.children) { old.geometry.dispose(); old.material.dispose(); }
+    this.curves.clear();
+    for (const patch of this.patches) {
+      const conditions = patch.prescribed(patch.v);
+      if (this.layers.trimlines) {
+        conditions.filter(({ order }) => order === 0).forEach(({ values }) => this.line(values, COLORS.trimlines));
+      }
+      if (this.layers.edges) {
+        const edges = patch.points(patch.u, patch.data.domain[1]);
+        [0, 1].forEach((end) => this.line(edges.map((row) => row[end]), COLORS.edges));
+      }
+      if (this.layers.arrows) this.arrows(patch);
+    }
+    this.invalidate();
+  }
+
+  line(points, color) {
+    const geometry = new THREE.BufferGeometry().setFromPoints(points.map((point) => new THREE.Vector3(...point)));
+    this.curves.add(new THREE.Line(geometry, new THREE.LineBasicMaterial({ color })));
+  }
+
+  // Prescribed tangents, the longest a fifth of the surface.
+  arrows(patch) {
+    const vs = evenly(patch.data.domain[1], ARROWS);
+    const tangents = patch.prescribed(vs).filter(({ order }) => order === 1);
+    const longest = Math.max(...tangents.flatMap(({ values }) => values.map((vector) => Math.hypot(...vector))), 0);
+    if (longest === 0) return;
+    const points = [];
+    for (const { u, values } of tangents) {
+      const [feet] = patch.points([u], vs);
+      values.forEach((vector, i) => {
+        const foot = new THREE.Vector3(...feet[i]);
+        const tip = new THREE.Vector3(...vector).multiplyScalar((0.2 * this.radius) / longest).add(foot);
+        const side = new THREE.Vector3().subVectors(tip, foot).cross(this.camera.up).normalize();
+        const barb = (sign) => tip.clone().lerp(foot, 0.25).addScaledVector(side, sign * 0.15 * tip.distanceTo(foot));
+        points.push(foot, tip, tip, barb(1), tip, barb(-1));
+      });
+    }
+    const geometry = new THREE.BufferGeometry().setFromPoints(points);
+    this.curves.add(new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({ color: COLORS.arrows })));
+  }
+
+  set shade(name) {
+    this.shared.mode.value = Math.max(SHADES.indexOf(name), 0);
+    this.invalidate();
+  }
+
+  set lines(on) {
+    this.shared.lines.value = on;
+    this.invalidate();
+  }
+
+  // How many pixels differ from the background, and a number that differs between pictures.
+  pixels() {
+    this.render();
+    const gl = this.renderer.getContext();
+    const { drawingBufferWidth: width, drawingBufferHeight: height } = gl;
+    const bytes = new Uint8Array(4 * width * height);
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+    let drawn = 0, hash = 0;
+    for (let at = 0; at < bytes.length; at += 4) {
+      const pixel = (bytes[at] << 16) | (bytes[at + 1] << 8) | bytes[at + 2];
+      const corner = (bytes[0] << 16) | (bytes[1] << 8) | bytes[2];
+      if (pixel !== corner) drawn += 1;
+      hash = (Math.imul(hash, 31) + pixel) | 0;
+    }
+    return { drawn, hash, width, height };
+  }
+
+  screenshot() {
+    this.render();
+    return new Promise((resolve) => this.canvas.toBlob(resolve, "image/png"));
+  }
+}
