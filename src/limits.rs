@@ -35,6 +35,8 @@ pub struct Limits {
     pub samples: usize,
     /// Instants of one sequence.
     pub frames: usize,
+    /// Control points of one B-spline surface, or of one file of them.
+    pub control_points: usize,
 }
 
 impl Default for Limits {
@@ -54,13 +56,14 @@ impl Default for Limits {
             operations: 4_000_000_000,
             samples: 4_000_000,
             frames: 10_000,
+            control_points: 1_000_000,
         }
     }
 }
 
 impl Limits {
     /// Every limit with the name it has on the command line (`--limits nesting=64`).
-    pub fn named(&mut self) -> [(&'static str, &mut usize); 14] {
+    pub fn named(&mut self) -> [(&'static str, &mut usize); 15] {
         [
             ("source-bytes", &mut self.source_bytes),
             ("nesting", &mut self.nesting),
@@ -76,6 +79,7 @@ impl Limits {
             ("operations", &mut self.operations),
             ("samples", &mut self.samples),
             ("frames", &mut self.frames),
+            ("control-points", &mut self.control_points),
         ]
     }
 }

@@ -6,6 +6,7 @@
 mod accuracy;
 mod analytic;
 mod architecture;
+mod bspline;
 #[cfg(feature = "cli")]
 mod cli;
 mod decompositions;
@@ -18,6 +19,7 @@ mod exact;
 mod exports;
 mod language;
 mod meshes;
+mod net;
 mod polynomial;
 mod reference;
 mod robustness;
