@@ -17,6 +17,7 @@ mod documents;
 mod evaluators;
 mod exact;
 mod exports;
+mod fitting;
 mod language;
 mod meshes;
 mod net;

@@ -157,6 +157,14 @@ impl KnotVector {
         inner.windows(self.degree).map(|knots| knots.iter().sum::<f64>() / self.degree as f64).collect()
     }
 
+    /// The derivative of order `order` at `x` of the basis function of one control point; of the span to the right of
+    /// an inner knot.
+    #[must_use]
+    pub fn basis_function(&self, point: usize, order: usize, x: f64) -> f64 {
+        let (first, values) = self.basis(order, x);
+        point.checked_sub(first).and_then(|index| values.get(index)).copied().unwrap_or(0.0)
+    }
+
     /// The number of the control point whose basis function is the first that lives at `x`, and the derivatives of
     /// order `order` there of that function and the next degree ones.
     ///

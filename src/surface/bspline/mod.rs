@@ -73,6 +73,15 @@ impl BsplineSurface {
         self.net.iter().flatten().fold(0.0, |most, x| most.max(x.abs()))
     }
 
+    /// The same surface with its last column of control points equal to the first, bit for bit.
+    ///
+    /// For a clamped surface that closes in v but for rounding.
+    #[must_use]
+    pub fn closed_in_v(&self) -> BsplineSurface {
+        let close = |row: &[[f64; 3]]| row.iter().take(row.len() - 1).chain(row.first()).copied().collect::<Vec<_>>();
+        BsplineSurface { u: self.u.clone(), v: self.v.clone(), net: self.rows().flat_map(close).collect() }
+    }
+
     /// The same surface with u and v exchanged: `(u, v)` of one is `(v, u)` of the other.
     #[must_use]
     pub fn transposed(&self) -> BsplineSurface {
