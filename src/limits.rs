@@ -43,6 +43,8 @@ pub struct Limits {
     pub animated_vertices: usize,
     /// Pixels of all pictures of one file.
     pub pixels: usize,
+    /// Control points of one B-spline surface, or of one file of them.
+    pub control_points: usize,
 }
 
 impl Default for Limits {
@@ -66,6 +68,7 @@ impl Default for Limits {
             frames: 10_000,
             animated_vertices: 16_000_000,
             pixels: 64_000_000,
+            control_points: 1_000_000,
         }
     }
 }
@@ -92,6 +95,7 @@ impl Limits {
             ("frames", &mut self.frames),
             ("animated-vertices", &mut self.animated_vertices),
             ("pixels", &mut self.pixels),
+            ("control-points", &mut self.control_points),
         ]
     }
 }

@@ -121,6 +121,15 @@ codes! {
     PromiseBroken = "E0413", Error, Numerical, "A solution is not what its method promises.";
     SeriesTruncated = "W0414", Warning, Numerical, "A Fourier series leaves out part of the boundary data.";
     PositionsAmplify = "W0415", Warning, Numerical, "Positions inside the blend amplify high wave numbers.";
+    KnotsNotAscending = "E0601", Error, Source, "A knot vector is not one.";
+    KnotRepeated = "E0602", Error, Source, "A knot inside a net is repeated.";
+    NetSize = "E0603", Error, Source, "A net has the wrong number of points.";
+    PointNotFinite = "E0604", Error, Source, "A control point is not finite.";
+    CurvesDoNotMeet = "E0605", Error, Source, "Boundary curves of a net do not fit together.";
+    NetAmplifies = "W0606", Warning, Numerical, "A net magnifies what its boundary layers hold.";
+    SeamCreased = "W0607", Warning, Numerical, "Patches meet in a crease.";
+    ToleranceNotReached = "E0608", Error, Numerical, "A B-spline does not come as close to a surface as asked.";
+    BadSplineFile = "E0609", Error, Source, "A file of B-splines cannot be read.";
     LimitReached = "E0901", Error, Limit, "A limit was reached.";
     HostUnsupported = "N0902", Note, Host, "The machine lacks something; the work goes on another way.";
     OutputFailed = "E0903", Error, Output, "Writing a result failed.";

@@ -1,12 +1,14 @@
-//! Plain numerics: cardinal polynomials, Chebyshev series, collocation nodes, least squares, trigonometric series. Knows
-//! nothing of the project.
+//! Plain numerics: cardinal polynomials, Chebyshev series, collocation nodes, least squares, banded systems, trigonometric
+//! series. Knows nothing of the project.
 
+mod banded;
 mod cardinal;
 mod chebyshev;
 mod fourier;
 mod least_squares;
 mod nodes;
 
+pub use banded::{Banded, CyclicBanded};
 pub use cardinal::CardinalPolynomials;
 pub use fourier::trigonometric_coefficients;
 pub use chebyshev::ChebyshevSeries;

@@ -3,9 +3,11 @@
 //! Judges ([`verify`](crate::verify)) and tessellators see only [`Surface`], never how one was made.
 
 mod basis;
+pub mod bspline;
 mod separable;
 
 pub use basis::Basis;
+pub use bspline::{BsplineCurve, BsplineSurface, KnotVector};
 pub use separable::{Coefficients, SeparableSurface};
 
 use crate::diagnostic::Diagnostic;

@@ -6,6 +6,7 @@
 mod accuracy;
 mod analytic;
 mod architecture;
+mod bspline;
 #[cfg(feature = "cli")]
 mod cli;
 mod decompositions;
@@ -17,9 +18,11 @@ mod emitted;
 mod evaluators;
 mod exact;
 mod exports;
+mod fitting;
 mod fourier;
 mod language;
 mod meshes;
+mod net;
 mod operators;
 mod patches;
 mod polynomial;
