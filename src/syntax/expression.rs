@@ -4,6 +4,8 @@ use super::ast::Name;
 use super::ast::{Expression, Kind, Tree, Unknown};
 use super::brackets::Brackets;
 use super::parser::{Parsed, Rule};
+use super::places::Places;
+use super::preflight::Prepared;
 use super::statement::{coordinate, internal};
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::{Derivative, Function, Number, canonical_name};
@@ -14,17 +16,27 @@ pub struct Builder<'a> {
     pub tree: &'a mut Tree,
     /// What stands inside the brackets of the line.
     pub brackets: &'a mut Brackets,
-    /// Byte offset in the source at which the parsed text begins.
-    pub offset: usize,
-    /// The whole text, which the parsed one shows with holes.
-    pub source: &'a str,
+    /// Byte offset in the prepared text at which the parsed text begins.
+    offset: usize,
+    /// Where the prepared text stands in the source.
+    places: &'a Places,
+    /// The source as messages quote it.
+    source: &'a str,
+}
+
+impl<'a> Builder<'a> {
+    /// A builder for what begins at `offset` of a prepared text.
+    pub fn new(prepared: &'a Prepared, offset: usize, tree: &'a mut Tree, brackets: &'a mut Brackets) -> Builder<'a> {
+        Builder { tree, brackets, offset, places: &prepared.places, source: &prepared.shown }
+    }
 }
 
 impl Builder<'_> {
     /// The place of a pair in the source.
     pub fn span(&self, pair: &Parsed<'_>) -> Span {
         let span = pair.as_span();
-        Span::new(self.offset + span.start(), self.offset + span.start() + span.as_str().trim_end().len())
+        let start = self.offset + span.start();
+        self.places.in_source(Span::new(start, start + span.as_str().trim_end().len()))
     }
 
     /// The text at a place, brackets filled.
@@ -94,7 +106,7 @@ impl Builder<'_> {
             before = Some(here);
             run.bare_call = self.bare_call(&part);
             if run.factors.is_empty() {
-                run.head = part.as_str().trim_end().len();
+                run.head = here.end - span.start;
             }
             run.factors.push(self.power(part)?);
         }
@@ -177,6 +189,7 @@ impl Builder<'_> {
                     _ => Kind::Vector(values),
                 }
             }
+            Rule::absolute => Kind::Call(Function::Abs, self.bracket(&pair)?),
             Rule::root => {
                 let mut parts: Vec<Parsed<'_>> = pair.into_inner().collect();
                 let mut value = self.primary(parts.pop().ok_or_else(internal)?)?;
@@ -264,7 +277,13 @@ impl Builder<'_> {
     }
 
     fn number(&mut self, text: &str, span: Span) -> Result<Expression, Diagnostic> {
-        let value = Number::parse(text.trim()).ok_or_else(|| {
+        let digits = match text.trim() {
+            "½" => "0.5",
+            "¼" => "0.25",
+            "¾" => "0.75",
+            digits => digits,
+        };
+        let value = Number::parse(digits).ok_or_else(|| {
             Diagnostic::new(Code::NumberOutOfRange, format!("`{}` is too large for a double", text.trim()))
                 .at(span)
                 .hint("the largest is about 1.8e308")
@@ -372,7 +391,7 @@ fn refuse_ambiguous_neighbours(
             .at(left_span.to(right_span))
             .hint(format!("write `e^({exponent}*{right})` or `{left}*{right}`")));
     }
-    let is_number = |text: &str| text.starts_with(|c: char| c.is_ascii_digit() || c == '.');
+    let is_number = |text: &str| text.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '.' | '½' | '¼' | '¾'));
     if is_number(right) && is_number(left) {
         return Err(Diagnostic::new(Code::UnexpectedText, "two numbers stand side by side")
             .at(left_span.to(right_span))
@@ -391,16 +410,15 @@ fn refuse_ambiguous_division(before: Option<&Run>, divisor: &Run) -> Result<(), 
             .marked(question)
             .hint(hint))
     };
+    let (head, rest) = below.split_at_checked(divisor.head).unwrap_or((below, ""));
     if let Some((function, argument)) = &before.bare_call {
-        let (inside, outside) =
-            (format!("{function}(({argument})/{below})"), format!("{function}({argument})/{below}"));
+        let (inside, outside) = (format!("{function}(({argument})/{head})"), format!("{function}({argument})/{head}"));
         return ambiguous(
             "does the division belong to the argument?",
             format!("write `{inside}` if it does, `{outside}` if it does not"),
         );
     }
     if divisor.factors.len() > 1 {
-        let (head, rest) = below.split_at_checked(divisor.head).unwrap_or((below, ""));
         return ambiguous(
             "what is divided by?",
             format!("write `{above}/({below})` or `({above}/{head})*{}`", rest.trim()),

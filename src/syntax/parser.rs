@@ -4,6 +4,7 @@ use pest::Parser;
 use pest::error::{ErrorVariant, InputLocation};
 use pest::iterators::Pair;
 
+use super::bars::{BAR_CLOSES, BAR_OPENS};
 use crate::diagnostic::{Code, Diagnostic, Span};
 
 #[derive(pest_derive::Parser)]
@@ -54,6 +55,7 @@ fn unexpected(error: &pest::error::Error<Rule>, text: &str, offset: usize) -> Di
 fn found(text: &str, at: usize) -> String {
     match token(text.get(at..).unwrap_or("")) {
         "" => "the end".to_owned(),
+        BAR_OPENS | BAR_CLOSES => "`|`".to_owned(),
         token => format!("`{token}`"),
     }
 }
@@ -80,6 +82,7 @@ fn words(rule: Rule) -> Option<&'static str> {
         | Rule::power
         | Rule::call
         | Rule::bracketed
+        | Rule::absolute
         | Rule::root
         | Rule::number
         | Rule::pi

@@ -2,9 +2,13 @@
 //!
 //! Turns bytes into logical lines of the same offsets: comments and line breaks inside brackets become
 //! blanks, a line that continues the one before is joined to it. Invariant: offsets never change, so every
-//! span of the parser is a span of the user's text. Size and nesting are bounded here because a parser's
+//! span of the parser is a span of the user's text; where LaTeX is spelled out first, [`Places`] says what each
+//! piece stands for. Size and nesting are bounded here because a parser's
 //! stack cannot be: pest's own limit counts calls and is shared by the whole process.
 
+use super::bars;
+use super::latex;
+use super::places::Places;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, MOST_FINDINGS, Source, Span, is_deceptive};
 use crate::expr::greek_letter;
 use crate::limits::Limits;
@@ -14,8 +18,12 @@ const STATEMENT_WORDS: &[&str] = &["param", "let", "domain", "pde", "at", "solve
 
 /// A text that is ready for the grammar.
 pub struct Prepared {
-    /// As long as the source, byte for byte.
+    /// As long as the source, byte for byte, unless that has LaTeX.
     pub text: String,
+    /// Where the bytes of `text` stand in the source.
+    pub places: Places,
+    /// The source as messages quote it.
+    pub shown: String,
     /// The logical lines, in order, none empty.
     pub lines: Vec<Span>,
     /// Offsets of `(` or `[` and of what closes it, innermost first.
@@ -53,19 +61,36 @@ fn check_size(bytes: usize, limits: &Limits) -> Result<(), Diagnostic> {
 /// Prepares a text, or says why it cannot be parsed.
 ///
 /// # Errors
-/// Every unbalanced bracket and deceptive character, or the first place where nesting passes its limit.
+/// Every block of LaTeX that cannot be read; every unbalanced bracket and deceptive character; or the first place
+/// where nesting passes its limit.
 pub fn prepare(source: &Source, limits: &Limits) -> Result<Prepared, Diagnostics> {
     // Here too: a source need not come from `decode`.
     check_size(source.text.len(), limits).map_err(|finding| vec![finding])?;
+    match latex::spell_out(&source.text)? {
+        None => blanked(&source.text, limits).map(|prepared| Prepared { shown: shown(&prepared.text), ..prepared }),
+        Some((text, places)) => match blanked(&text, limits) {
+            Ok(prepared) => Ok(Prepared { places, shown: source.text.clone(), ..prepared }),
+            Err(found) => Err(found.into_iter().map(|finding| places.moved(finding)).collect()),
+        },
+    }
+}
+
+/// A prepared text as its writer knows it.
+fn shown(text: &str) -> String {
+    text.replace([bars::BAR_OPENS, bars::BAR_CLOSES].map(|bar| bar.chars().next().unwrap_or(' ')), "|")
+}
+
+/// `text` with comments and line breaks in brackets blanked, its logical lines and its brackets.
+fn blanked(text: &str, limits: &Limits) -> Result<Prepared, Diagnostics> {
     let mut found = Diagnostics::new();
-    let mut bytes = source.text.clone().into_bytes();
+    let mut bytes = text.to_owned().into_bytes();
     let mut open: Vec<(char, usize)> = Vec::new();
     let mut brackets = Vec::new();
     let mut in_comment = false;
-    for (at, letter) in source.text.char_indices() {
+    for (at, letter) in text.char_indices() {
         if letter == '\n' {
             in_comment = false;
-            if !open.is_empty() && starts_statement(source.text.get(at + 1..).unwrap_or("")) {
+            if !open.is_empty() && starts_statement(text.get(at + 1..).unwrap_or("")) {
                 found.extend(open.drain(..).map(|(bracket, at)| not_closed(bracket, at)));
             }
             if !open.is_empty() {
@@ -85,7 +110,26 @@ pub fn prepare(source: &Source, limits: &Limits) -> Result<Prepared, Diagnostics
                     return Err(vec![too_deep(at, limits.nesting)]);
                 }
             }
+            '|' => match bars::opens(text, at, open.last().is_some_and(|(bracket, _)| *bracket == '|'), &bytes) {
+                Ok(true) => {
+                    open.push((letter, at));
+                    replace(&mut bytes, at, bars::BAR_OPENS);
+                    if open.len() > limits.nesting {
+                        return Err(vec![too_deep(at, limits.nesting)]);
+                    }
+                }
+                Ok(false) => {
+                    brackets.extend(open.pop().map(|(_, start)| (start, at)));
+                    replace(&mut bytes, at, bars::BAR_CLOSES);
+                }
+                Err(finding) => found.push(finding),
+            },
             ')' | ']' | '}' => match close(&mut open, letter, at) {
+                Ok(start) if letter == '}' && is_exponent(text, start) => {
+                    replace(&mut bytes, start, "(");
+                    replace(&mut bytes, at, ")");
+                    brackets.push((start, at));
+                }
                 Ok(start) if letter != '}' => brackets.push((start, at)),
                 Ok(_) => {}
                 Err(finding) => found.push(finding),
@@ -104,7 +148,22 @@ pub fn prepare(source: &Source, limits: &Limits) -> Result<Prepared, Diagnostics
     // Whole characters were replaced by as many blanks as they had bytes, so the text is still UTF-8.
     let text = String::from_utf8(bytes).unwrap_or_default();
     let lines = logical_lines(&text);
-    Ok(Prepared { text, lines, brackets })
+    Ok(Prepared { text, lines, brackets, places: Places::default(), shown: String::new() })
+}
+
+/// Whether the brace at `start` holds an exponent, as in `e^{-t}`, that is more than a whole number.
+fn is_exponent(text: &str, start: usize) -> bool {
+    let before = text.get(..start).unwrap_or("").trim_end_matches([' ', '\t']);
+    let inside = text.get(start + 1..).unwrap_or("").trim_start();
+    let after = inside.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start();
+    (before.ends_with('^') || before.ends_with("**")) && !after.starts_with('}')
+}
+
+/// Puts the one byte of `mark` in place of the one at `at`.
+fn replace(bytes: &mut [u8], at: usize, mark: &str) {
+    for (byte, mark) in bytes.iter_mut().skip(at).zip(mark.bytes()) {
+        *byte = mark;
+    }
 }
 
 fn blank(bytes: &mut [u8], at: usize, letter: char) {
@@ -201,5 +260,6 @@ fn continues(before: &str, line: &str) -> bool {
     const TRAILING: &[char] = &['+', '-', '−', '–', '*', '/', '·', '×', '÷', '=', '^', ','];
     let leads =
         line.starts_with(LEADING) || line.strip_prefix("with").is_some_and(|rest| rest.starts_with([' ', '\t']));
-    leads || (before.ends_with(TRAILING) && !starts_statement(line))
+    // `pde` alone states nothing: the equation stands on the next lines.
+    leads || before == "pde" || (before.ends_with(TRAILING) && !starts_statement(line))
 }

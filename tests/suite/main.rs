@@ -17,6 +17,7 @@ mod evaluators;
 mod exact;
 mod exports;
 mod language;
+mod latex;
 mod meshes;
 mod polynomial;
 mod reference;
