@@ -7,6 +7,7 @@ pub mod ast;
 mod bars;
 mod brackets;
 mod expression;
+mod format;
 mod latex;
 mod parser;
 mod places;
@@ -14,6 +15,7 @@ mod preflight;
 mod statement;
 
 pub use ast::Document;
+pub use format::{Alphabet, format};
 pub use preflight::decode;
 
 use ast::{Expression, Tree};

@@ -225,7 +225,7 @@ fn suspicious(letter: char, at: usize) -> Option<Diagnostic> {
 }
 
 /// Whether the first line of `text` begins a statement.
-fn starts_statement(text: &str) -> bool {
+pub fn starts_statement(text: &str) -> bool {
     // Only this line: blank ones after it would be read again at each of them.
     let line = text.split('\n').next().unwrap_or("").trim_start();
     STATEMENT_WORDS.iter().any(|word| {
@@ -255,7 +255,8 @@ fn logical_lines(text: &str) -> Vec<Span> {
     lines
 }
 
-fn continues(before: &str, line: &str) -> bool {
+/// Whether `line` belongs to the statement of the line `before` it.
+pub fn continues(before: &str, line: &str) -> bool {
     const LEADING: &[char] = &['+', '-', '−', '–', '*', '/', '·', '×', '÷', '=', '^'];
     const TRAILING: &[char] = &['+', '-', '−', '–', '*', '/', '·', '×', '÷', '=', '^', ','];
     let leads =

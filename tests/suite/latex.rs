@@ -166,7 +166,7 @@ fn same(latex: &str, plain: &str) {
 fn letters_are_names_of_their_own() {
     same(r"bt\sin 5v", "b*t*sin(5*v)");
     same("ce^{0.1v}", "c*exp(0.1*v)");
-    same(r"a_1kv + a_{1}k_{}v".replace("_{}", "").as_str(), "2*a1*k*v");
+    same("a_1kv + a_{1}kv", "2*a1*k*v");
     same(r"b_{12}\alpha t", "b12*alpha*t");
     same(r"\mathrm{speed} t + r_{\mathrm{max}} r_{max}", "speed*t + r_max^2");
     same("h_0'v + h'_{0}t", "h0'*v + h0'*t");
@@ -179,7 +179,8 @@ fn fractions_roots_and_powers_have_their_groups() {
     same(r"\dfrac{1}{1 + \frac{1}{v}}", "1/(1 + 1/v)");
     same(r"\sqrt{v^2 + 1}", "sqrt(v^2 + 1)");
     same(r"e^{-t}\, e^t v^{a b}", "exp(-t)*exp(t)*v^(a*b)");
-    same("x^".replace('x', "v").as_str().trim_end_matches('^'), "v");
+    same(r"2 \cdot 10^{-3} v + 10^{2}", "2e-3*v + 1e2");
+    same(r"v/2 \cdot 10^{3}", "(v/2)*1000");
     same("v^2t", "v^2*t");
     same("v^{-1}", "1/v");
     same("{v + t}k", "(v + t)*k");

@@ -7,6 +7,7 @@ mod basis;
 mod check;
 mod eval;
 mod failure;
+mod fmt;
 mod mesh;
 mod options;
 mod output;
@@ -60,6 +61,8 @@ enum Command {
     Solve(solve::Arguments),
     /// Evaluates the surface at given points, as CSV.
     Eval(eval::Arguments),
+    /// Lays specs out in their canonical form; comments are kept.
+    Fmt(fmt::Arguments),
     /// Writes meshes: OBJ, PLY or STL by the file's extension.
     Mesh(mesh::Arguments),
 }
@@ -72,6 +75,7 @@ fn main() -> ExitCode {
         Command::Basis(arguments) => basis::run(&arguments, &terminal),
         Command::Solve(arguments) => solve::run(&arguments, &terminal),
         Command::Eval(arguments) => eval::run(&arguments, &terminal),
+        Command::Fmt(arguments) => fmt::run(&arguments, &terminal),
         Command::Mesh(arguments) => mesh::run(&arguments, &terminal),
     };
     match result {

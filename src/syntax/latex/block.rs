@@ -112,7 +112,7 @@ impl<'a> Block<'a> {
                 self.row.is_position = true;
             }
             TokenKind::Letter => self.letter(token.text, token.span)?,
-            TokenKind::Number => self.spelling.put(token.text, token.span, Piece::Word),
+            TokenKind::Number => self.number(&token),
             TokenKind::Open => self.open_brace(&token),
             TokenKind::Close => self.close_brace(&token)?,
             TokenKind::Break => self.row_end(&token),
@@ -283,6 +283,50 @@ impl<'a> Block<'a> {
         }
         self.mark(brace, token);
         Ok(())
+    }
+
+    /// A number; `2 \cdot 10^{-3}` is the number `2e-3`, to the last digit, unless it stands behind a fraction bar.
+    fn number(&mut self, token: &Token<'a>) {
+        let is_divisor = self.previous.is_some_and(|before| before.is_symbol("/") || before.is_command("div"));
+        let mantissa = if token.text == "10" { Some("1") } else { None };
+        let power = match mantissa {
+            Some(_) => self.power_of_ten(token.span.end),
+            None if is_divisor => None,
+            None => {
+                let sign = self.peek().filter(|sign| sign.is_command("cdot") || sign.is_command("times"));
+                let ten = sign.and_then(|sign| token::next(self.source, sign.span.end));
+                ten.filter(|ten| ten.text == "10").and_then(|ten| self.power_of_ten(ten.span.end))
+            }
+        };
+        let Some((exponent, end)) = power else {
+            self.spelling.put(token.text, token.span, Piece::Word);
+            return;
+        };
+        self.at = end;
+        let number = format!("{}e{exponent}", mantissa.unwrap_or(token.text));
+        self.spelling.put(&number, Span::new(token.span.start, end), Piece::Word);
+    }
+
+    /// The exponent in `^{-3}` at `at`, and where it ends.
+    fn power_of_ten(&self, at: usize) -> Option<(String, usize)> {
+        let tokens =
+            std::iter::successors(token::next(self.source, at), |token| token::next(self.source, token.span.end));
+        let tokens: Vec<Token<'_>> = tokens.take(5).collect();
+        let (sign, number, close) = match tokens.as_slice() {
+            [hat, open, number, close, ..]
+                if hat.is_symbol("^") && open.kind == TokenKind::Open && close.kind == TokenKind::Close =>
+            {
+                ("", number, close)
+            }
+            [hat, open, minus, number, close]
+                if hat.is_symbol("^") && open.kind == TokenKind::Open && minus.is_symbol("-") =>
+            {
+                ("-", number, close)
+            }
+            _ => return None,
+        };
+        let is_integer = number.kind == TokenKind::Number && !number.text.contains('.');
+        (is_integer && close.kind == TokenKind::Close).then(|| (format!("{sign}{}", number.text), close.span.end))
     }
 
     fn function(&mut self, name: &'static str, token: &Token<'a>) {

@@ -32,6 +32,20 @@ enum Opening {
     Environment,
 }
 
+/// The places of the blocks in a text whose blocks can all be read.
+pub fn blocks(source: &str) -> Vec<Span> {
+    let mut blocks = Vec::new();
+    let mut end = 0;
+    while let Some((at, opening)) = next_block(source, end) {
+        end = match Block::new(source, opening, at, true, &mut Spelling::new()).read() {
+            Ok(end) => end,
+            Err(_) => skip(source, opening, at),
+        };
+        blocks.push(Span::new(at, end));
+    }
+    blocks
+}
+
 /// The source with its LaTeX spelled out, and the place of each piece; `None` if it has none.
 ///
 /// # Errors
