@@ -133,7 +133,12 @@ impl Builder<'_> {
             self.primary(first)?
         };
         if let Some(superscript) = parts.next_if(|part| part.as_rule() == Rule::superscript) {
-            let exponent = self.number(&superscript_digits(superscript.as_str()), self.span(&superscript))?;
+            // As `^-1` is read, so that both spellings are one tree.
+            let (digits, place) = (superscript_digits(superscript.as_str()), self.span(&superscript));
+            let mut exponent = self.number(digits.trim_start_matches('-'), place)?;
+            if digits.starts_with('-') {
+                exponent = self.tree.add(Kind::Sum(vec![(true, exponent)]), place);
+            }
             base = self.raised(base, exponent);
         }
         let mut exponents: Vec<(bool, Expression)> = Vec::new();

@@ -159,3 +159,30 @@ fn bare(code: &[Token<'_>]) -> String {
     }
     text.trim().to_owned()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{align, token};
+    use super::*;
+
+    fn laid_out(text: &str) -> String {
+        align::joined(lay_out(&token::lines(text)))
+    }
+
+    #[test]
+    fn statements_inside_braces_are_indented_by_the_same_rules() {
+        let text = "patch low{\ndomain u in [0,1]\nat u=0:\nS = S1(0,v,t)\n∂S/∂u=e^{-t} [1,0,0]\n}\npatch high {   # the rim\nat u = 1: join S1 at u=1, strength=0.5\n}\n";
+        let expected = "patch low {
+    domain u in [0, 1]
+    at u = 0:
+        S     = S1(0, v, t)
+        ∂S/∂u = e^{-t} [1, 0, 0]
+}
+patch high {  # the rim
+    at u = 1: join S1 at u = 1, strength = 0.5
+}
+";
+        assert_eq!(laid_out(text), expected);
+        assert_eq!(laid_out(expected), expected);
+    }
+}

@@ -92,6 +92,9 @@ fn superscript(text: &str) -> String {
 fn to_unicode(tokens: &mut Vec<Token<'_>>) {
     spell_derivatives(tokens);
     raise_exponents(tokens);
+    for sign in tokens.iter_mut().filter(|token| token.kind == Kind::Sign && !token.text.is_ascii()) {
+        sign.text = Cow::Borrowed("-");
+    }
     for token in tokens.iter_mut().filter(|token| token.kind == Kind::Word) {
         let is_function = Function::named(&token.text).is_some() || token.is("sqrt");
         if token.is("in") {
