@@ -3,6 +3,7 @@
 //! Each logical line is parsed on its own, so one file can report several errors. Nothing is resolved here: a
 //! name is a name, and `h0(1 - t)` stays an application until [`resolve`](crate::resolve) knows what `h0` is.
 
+mod ambiguity;
 pub mod ast;
 mod bars;
 mod brackets;

@@ -138,6 +138,9 @@ fn advice(text: &str, at: usize) -> Option<String> {
             return Some(format!("`{word}` is reserved for a later version of the language"));
         }
     }
+    if before.is_empty() && text.contains('∂') && text.contains('=') {
+        return Some("an equation begins with `pde`, a constraint with `S`, `x` or a derivative of them".to_owned());
+    }
     if text.starts_with("S") && rest.starts_with(':') {
         return Some("a boundary block begins with `at u = 0:`".to_owned());
     }
