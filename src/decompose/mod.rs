@@ -11,6 +11,7 @@
 
 mod closure;
 mod expand;
+mod latex;
 mod text;
 
 pub use closure::{Closure, DerivativeMatrix, close};

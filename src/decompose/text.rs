@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use super::{Closure, Decomposition};
 use crate::diagnostic::{Code, Diagnostic};
-use crate::expr::{ExprId, Notation};
+use crate::expr::{Derivative, ExprId, Notation};
 use crate::limits::Limits;
 
 impl Decomposition {
@@ -49,12 +49,7 @@ impl Decomposition {
         for (index, condition) in self.patch.conditions.iter().enumerate() {
             let symbol = self.symbol(index);
             let position = self.text_of(condition.u, notation, limits)?;
-            let left = match condition.order {
-                0 => "S".to_owned(),
-                1 => "∂S/∂u".to_owned(),
-                2 => "∂²S/∂u²".to_owned(),
-                order => format!("∂^{order}S/∂u^{order}"),
-            };
+            let left = Derivative::new(condition.order, 0, 0).of("S", Notation::Unicode);
             line(&mut text, format_args!("\n{left} at u = {position}: Σ {symbol}_j F_j, where not zero"));
             let mut is_zero = true;
             for (j, vector) in self.coefficients.get(index).into_iter().flatten().enumerate() {

@@ -85,6 +85,8 @@ codes! {
     EmptyDocument = "E0105", Error, Source, "The document states nothing.";
     NumberOutOfRange = "E0106", Error, Source, "A number is too large to be represented.";
     DeceptiveCharacter = "E0107", Error, Source, "A character cannot be seen, or looks like another one.";
+    UnsupportedLatex = "E0108", Error, Source, "A piece of LaTeX is not read.";
+    NotFormatted = "E0109", Error, Unsupported, "The text cannot be laid out without changing its meaning.";
     UnknownName = "E0201", Error, Source, "A name is not declared.";
     DuplicateName = "E0202", Error, Source, "A name is declared twice, or reserved.";
     NotBoundaryData = "E0203", Error, Source, "Boundary data depend on u, or on S.";

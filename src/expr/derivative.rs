@@ -7,6 +7,7 @@ use std::fmt;
 
 use rustc_hash::FxHashMap;
 
+use super::display::{Notation, superscripts};
 use super::function::Function;
 use super::graph::{ExprId, Graph, Node, Variable};
 use crate::diagnostic::{Code, Diagnostic};
@@ -45,6 +46,35 @@ impl Derivative {
             }
         }
         Some(orders)
+    }
+
+    /// The derivative of `what` as mathematicians write it: `∂⁴S/∂u²∂v²`, `d4S/du2dv2`, `\frac{\partial^{4} S}{…}`.
+    #[must_use]
+    pub fn of(self, what: &str, notation: Notation) -> String {
+        let total = self.u.saturating_add(self.v).saturating_add(self.t);
+        if total == 0 {
+            return what.to_owned();
+        }
+        let power = |order: usize| match (order, notation) {
+            (1, _) => String::new(),
+            (_, Notation::Ascii) => order.to_string(),
+            (_, Notation::Unicode) => superscripts(order),
+            (_, Notation::Latex) => format!("^{{{order}}}"),
+        };
+        let d = match notation {
+            Notation::Ascii => "d",
+            Notation::Unicode => "∂",
+            Notation::Latex => r"\partial ",
+        };
+        let below = Variable::ALL.into_iter().filter(|variable| self.order(*variable) > 0);
+        let below: Vec<String> =
+            below.map(|variable| format!("{d}{}{}", variable.name(), power(self.order(variable)))).collect();
+        match notation {
+            Notation::Latex => {
+                format!(r"\frac{{\partial{} {what}}}{{{}}}", power(total), below.join(r"\, "))
+            }
+            _ => format!("{d}{}{what}/{}", power(total), below.concat()),
+        }
     }
 
     /// The order in one variable.

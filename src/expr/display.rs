@@ -19,6 +19,18 @@ pub enum Notation {
     Latex,
 }
 
+impl Notation {
+    /// A name, given in its canonical form.
+    #[must_use]
+    pub fn name(self, canonical: &str) -> String {
+        match self {
+            Notation::Ascii => canonical.to_owned(),
+            Notation::Unicode => unicode_name(canonical),
+            Notation::Latex => latex_name(canonical),
+        }
+    }
+}
+
 /// The text of an expression would be longer than allowed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct TextTooLong {
@@ -103,7 +115,9 @@ impl Writer<'_> {
         match self.graph.node(id) {
             Node::Number(number) => self.number(*number),
             Node::Constant(constant) => (vec![Piece::Text(self.constant(*constant))], Strength::Atom),
-            Node::Symbol(symbol) => (vec![Piece::Owned(self.name(self.graph.symbol_name(*symbol)))], Strength::Atom),
+            Node::Symbol(symbol) => {
+                (vec![Piece::Owned(self.notation.name(self.graph.symbol_name(*symbol)))], Strength::Atom)
+            }
             Node::Variable(variable) => (vec![Piece::Text(variable.name())], Strength::Atom),
             Node::Sum(terms) => self.sum(terms),
             Node::Product(_) => self.product(id, false),
@@ -142,11 +156,22 @@ impl Writer<'_> {
         } else {
             Strength::Atom
         };
+        let strength =
+            if self.notation == Notation::Latex && text.contains('e') { Strength::Product } else { strength };
         let text = match (self.notation, text.split_once('/')) {
             (Notation::Latex, Some((above, below))) => format!(r"\frac{{{above}}}{{{below}}}"),
-            _ => text,
+            _ => self.digits(text),
         };
         (vec![Piece::Owned(text)], strength)
+    }
+
+    /// A number without a fraction bar: `1e20` is a power of ten in LaTeX.
+    fn digits(&self, text: String) -> String {
+        match text.split_once('e').filter(|_| self.notation == Notation::Latex) {
+            Some(("1", exponent)) => format!("10^{{{exponent}}}"),
+            Some((mantissa, exponent)) => format!(r"{mantissa} \cdot 10^{{{exponent}}}"),
+            None => text,
+        }
     }
 
     fn constant(&self, constant: Constant) -> &'static str {
@@ -155,14 +180,6 @@ impl Writer<'_> {
             (Constant::Pi, Notation::Ascii) => "pi",
             (Constant::Pi, Notation::Unicode) => "π",
             (Constant::Pi, Notation::Latex) => r"\pi",
-        }
-    }
-
-    fn name(&self, canonical: &str) -> String {
-        match self.notation {
-            Notation::Ascii => canonical.to_owned(),
-            Notation::Unicode => unicode_name(canonical),
-            Notation::Latex => latex_name(canonical),
         }
     }
 
@@ -228,10 +245,10 @@ impl Writer<'_> {
         let magnitude = if negative { -coefficient } else { coefficient };
         let (number_above, number_below) = split_fraction(magnitude);
         if let Some(number) = number_below {
-            below.insert(0, Group { opens_bracket: false, pieces: vec![Piece::Owned(number)] });
+            below.insert(0, Group { opens_bracket: false, pieces: vec![Piece::Owned(self.digits(number))] });
         }
         if number_above != "1" || above.is_empty() {
-            above.insert(0, Group { opens_bracket: false, pieces: vec![Piece::Owned(number_above)] });
+            above.insert(0, Group { opens_bracket: false, pieces: vec![Piece::Owned(self.digits(number_above))] });
         }
         let is_single_atom = above.len() == 1 && below.is_empty();
         let mut pieces = Vec::new();
@@ -252,9 +269,9 @@ impl Writer<'_> {
             pieces.extend(self.joined(above));
         } else if self.notation == Notation::Latex {
             pieces.push(Piece::Text(r"\frac{"));
-            pieces.extend(self.joined(above));
+            pieces.extend(self.in_braces(above));
             pieces.push(Piece::Text("}{"));
-            pieces.extend(self.joined(below));
+            pieces.extend(self.in_braces(below));
             pieces.push(Piece::Text("}"));
         } else {
             let many = below.len() > 1;
@@ -267,6 +284,15 @@ impl Writer<'_> {
         }
     }
 
+    /// Factors inside braces, where a single one needs no brackets.
+    fn in_braces(&self, groups: Vec<Group>) -> Vec<Piece> {
+        let mut pieces = self.joined(groups);
+        if let [Piece::Expr(_, least)] = pieces.as_mut_slice() {
+            *least = Strength::Sum;
+        }
+        pieces
+    }
+
     fn joined(&self, groups: Vec<Group>) -> Vec<Piece> {
         let mut pieces = Vec::new();
         for (index, group) in groups.into_iter().enumerate() {
@@ -276,6 +302,8 @@ impl Writer<'_> {
                     // `e^t (1 + v)^2` would read with the bracket in the exponent.
                     Notation::Unicode if group.opens_bracket => "·",
                     Notation::Unicode => " ",
+                    // Two numbers side by side would be read as one.
+                    Notation::Latex if group.opens_bracket => r" \cdot ",
                     Notation::Latex => r"\, ",
                 }));
             }
@@ -350,6 +378,7 @@ impl Writer<'_> {
         }
         let mut pieces = vec![Piece::Expr(base, Strength::Atom)];
         let digits = number.to_string();
+        let exponent = if digits.contains('e') { vec![Piece::Owned(self.digits(digits.clone()))] } else { exponent };
         if self.notation == Notation::Unicode && digits.chars().all(|c| c.is_ascii_digit()) {
             pieces.push(Piece::Owned(digits.chars().map(superscript).collect()));
         } else if self.notation == Notation::Latex {
@@ -389,6 +418,11 @@ fn split_fraction(number: Number) -> (String, Option<String>) {
     }
 }
 
+/// `12` as `¹²`.
+pub(super) fn superscripts(number: usize) -> String {
+    number.to_string().chars().map(superscript).collect()
+}
+
 fn superscript(digit: char) -> char {
     match digit {
         '1' => '¹',
@@ -407,6 +441,8 @@ fn latex_name(canonical: &str) -> String {
     let is_greek = unicode_name(stem).chars().next().and_then(greek_letter).is_some_and(|name| name == stem);
     let stem = match stem.chars().count() {
         1 => stem.to_owned(),
+        // TeX has no command for it.
+        _ if stem == "omicron" => "ο".to_owned(),
         _ if is_greek => format!(r"\{stem}"),
         _ => format!(r"\mathrm{{{stem}}}"),
     };

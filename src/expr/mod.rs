@@ -17,5 +17,5 @@ pub use derivative::{Derivative, DerivativeFault, NotDifferentiable};
 pub use display::{Notation, TextTooLong};
 pub use function::{Function, Parity, Value};
 pub use graph::{Constant, Dependence, ExprId, Graph, Node, SymbolId, Variable};
-pub use name::{canonical_name, greek_letter, unicode_name};
+pub use name::{canonical_name, greek_letter, greek_named, unicode_name};
 pub use number::Number;

@@ -52,24 +52,38 @@ pub fn greek_letter(letter: char) -> Option<&'static str> {
     GREEK.iter().find(|(greek, _)| *greek == letter).map(|(_, name)| *name)
 }
 
+/// The Greek letter with an ASCII name, for example `β` for `beta`.
+#[must_use]
+pub fn greek_named(name: &str) -> Option<char> {
+    GREEK.iter().find(|(_, known)| *known == name).map(|(letter, _)| *letter)
+}
+
 /// The one ASCII form of all spellings of a name: `b₁`, `b_1` and `b_{1}` become `b1`, `β` becomes `beta`,
-/// primes become `'`; an underscore before a letter is kept.
+/// primes become `'` and come last, since `h'_0` and `h_0'` are one name; an underscore before a letter is kept.
 #[must_use]
 pub fn canonical_name(spelling: &str) -> String {
     let mut name = String::with_capacity(spelling.len());
+    let (mut primes, mut in_subscript) = (0, false);
     let mut letters = spelling.chars().filter(|c| !matches!(c, '{' | '}')).peekable();
     while let Some(letter) = letters.next() {
+        if matches!(letter, '′' | '\'') {
+            primes += 1;
+            continue;
+        }
+        let digit = subscript_digit(letter).or(Some(letter).filter(char::is_ascii_digit));
+        in_subscript |= letter == '_';
+        if digit.is_none() && !in_subscript {
+            name.push_str(&"'".repeat(std::mem::take(&mut primes)));
+        }
         if let Some(greek) = greek_letter(letter) {
             name.push_str(greek);
-        } else if let Some(digit) = subscript_digit(letter) {
+        } else if let Some(digit) = digit {
             name.push(digit);
-        } else if letter == '′' {
-            name.push('\'');
         } else if letter != '_' || !letters.peek().is_some_and(char::is_ascii_digit) {
             name.push(letter);
         }
     }
-    name
+    name + &"'".repeat(primes)
 }
 
 /// The form for reading: `b1` becomes `b₁`, `beta` becomes `β`, `h0'` becomes `h₀′`.
@@ -105,7 +119,9 @@ mod tests {
             assert_eq!(canonical_name(spelling), "b1");
         }
         assert_eq!(canonical_name("β"), "beta");
-        assert_eq!(canonical_name("h0′"), "h0'");
+        for spelling in ["h0′", "h_0'", "h'_0", "h'_{0}"] {
+            assert_eq!(canonical_name(spelling), "h0'");
+        }
         assert_eq!(canonical_name("r_max"), "r_max");
     }
 

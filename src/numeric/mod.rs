@@ -10,7 +10,7 @@ mod nodes;
 
 pub use banded::{Banded, CyclicBanded};
 pub use cardinal::CardinalPolynomials;
-pub use fourier::trigonometric_coefficients;
 pub use chebyshev::ChebyshevSeries;
+pub use fourier::trigonometric_coefficients;
 pub use least_squares::{LeastSquares, LeastSquaresError};
 pub use nodes::{NodeKind, nodes};

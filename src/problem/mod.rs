@@ -5,17 +5,19 @@
 //! was written; places in a source are kept only to be shown in diagnostics.
 
 mod domain;
+mod explanation;
 mod operator;
 mod parameters;
 mod surface;
 
 pub use domain::{Domain, DomainValues};
+pub use explanation::Explanation;
 pub use operator::{PdeOperator, PdeTerm, STANDARD_COEFFICIENTS};
 pub use parameters::{Bindings, Parameter, ParameterKind};
 pub use surface::{Join, PrimarySurface};
 
 use crate::diagnostic::Span;
-use crate::expr::{ExprId, Graph};
+use crate::expr::{Derivative, ExprId, Graph, Notation};
 
 /// The names of the components of S.
 pub const COMPONENTS: [&str; 3] = ["x", "y", "z"];
@@ -100,12 +102,6 @@ pub fn describe_condition(component: Option<usize>, order: usize, position: f64)
         Some(component) => format!("S_{component}"),
         None => "S".to_owned(),
     };
-    let left = match order {
-        0 => unknown,
-        1 => format!("∂{unknown}/∂u"),
-        2 => format!("∂²{unknown}/∂u²"),
-        3 => format!("∂³{unknown}/∂u³"),
-        _ => format!("∂^{order} {unknown}/∂u^{order}"),
-    };
+    let left = Derivative::new(order, 0, 0).of(&unknown, Notation::Unicode);
     format!("{left} at u = {position}")
 }

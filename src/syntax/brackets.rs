@@ -7,6 +7,7 @@
 use rustc_hash::FxHashMap;
 
 use super::ast::{Expression, Tree};
+use super::bars::{BAR_CLOSES, BAR_OPENS};
 use super::expression::Builder;
 use super::parser;
 use super::preflight::Prepared;
@@ -33,10 +34,8 @@ impl Brackets {
             let values = if text.trim().is_empty() {
                 Vec::new()
             } else {
-                let pair = parser::values(&text, inside.start)?;
-                let mut builder =
-                    Builder { tree, brackets: &mut brackets, offset: inside.start, source: &prepared.text };
-                builder.values(pair)?
+                let pair = parser::values(&text, inside.start).map_err(|finding| prepared.places.moved(finding))?;
+                Builder::new(prepared, inside.start, tree, &mut brackets).values(pair)?
             };
             brackets.waiting.insert(inside.start, values);
         }
@@ -53,10 +52,10 @@ impl Brackets {
 pub fn outermost(prepared: &Prepared, span: Span) -> String {
     let mut depth = 0_usize;
     let bytes = prepared.text.bytes().skip(span.start).take(span.end - span.start).map(|byte| {
-        let closes = matches!(byte, b')' | b']');
+        let closes = matches!(byte, b')' | b']') || BAR_CLOSES.as_bytes() == [byte];
         depth = depth.saturating_sub(usize::from(closes));
         let shown = if depth == 0 { byte } else { FILLER };
-        depth += usize::from(matches!(byte, b'(' | b'['));
+        depth += usize::from(matches!(byte, b'(' | b'[') || BAR_OPENS.as_bytes() == [byte]);
         shown
     });
     // Whole characters were replaced byte by byte with ASCII, so the text is still UTF-8.

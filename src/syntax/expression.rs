@@ -1,9 +1,14 @@
 //! Parsed expressions to the tree, refusing those with two plausible readings.
 
+use super::ambiguity::{
+    Run, ambiguous_argument, is_coordinate, refuse_ambiguous_division, refuse_ambiguous_neighbours,
+};
 use super::ast::Name;
 use super::ast::{Expression, Kind, Tree, Unknown};
 use super::brackets::Brackets;
 use super::parser::{Parsed, Rule};
+use super::places::Places;
+use super::preflight::Prepared;
 use super::statement::{coordinate, internal};
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::{Derivative, Function, Number, canonical_name};
@@ -14,17 +19,27 @@ pub struct Builder<'a> {
     pub tree: &'a mut Tree,
     /// What stands inside the brackets of the line.
     pub brackets: &'a mut Brackets,
-    /// Byte offset in the source at which the parsed text begins.
-    pub offset: usize,
-    /// The whole text, which the parsed one shows with holes.
-    pub source: &'a str,
+    /// Byte offset in the prepared text at which the parsed text begins.
+    offset: usize,
+    /// Where the prepared text stands in the source.
+    places: &'a Places,
+    /// The source as messages quote it.
+    source: &'a str,
+}
+
+impl<'a> Builder<'a> {
+    /// A builder for what begins at `offset` of a prepared text.
+    pub fn new(prepared: &'a Prepared, offset: usize, tree: &'a mut Tree, brackets: &'a mut Brackets) -> Builder<'a> {
+        Builder { tree, brackets, offset, places: &prepared.places, source: &prepared.shown }
+    }
 }
 
 impl Builder<'_> {
     /// The place of a pair in the source.
     pub fn span(&self, pair: &Parsed<'_>) -> Span {
         let span = pair.as_span();
-        Span::new(self.offset + span.start(), self.offset + span.start() + span.as_str().trim_end().len())
+        let start = self.offset + span.start();
+        self.places.in_source(Span::new(start, start + span.as_str().trim_end().len()))
     }
 
     /// The text at a place, brackets filled.
@@ -94,7 +109,7 @@ impl Builder<'_> {
             before = Some(here);
             run.bare_call = self.bare_call(&part);
             if run.factors.is_empty() {
-                run.head = part.as_str().trim_end().len();
+                run.head = here.end - span.start;
             }
             run.factors.push(self.power(part)?);
         }
@@ -121,7 +136,12 @@ impl Builder<'_> {
             self.primary(first)?
         };
         if let Some(superscript) = parts.next_if(|part| part.as_rule() == Rule::superscript) {
-            let exponent = self.number(&superscript_digits(superscript.as_str()), self.span(&superscript))?;
+            // As `^-1` is read, so that both spellings are one tree.
+            let (digits, place) = (superscript_digits(superscript.as_str()), self.span(&superscript));
+            let mut exponent = self.number(digits.trim_start_matches('-'), place)?;
+            if digits.starts_with('-') {
+                exponent = self.tree.add(Kind::Sum(vec![(true, exponent)]), place);
+            }
             base = self.raised(base, exponent);
         }
         let mut exponents: Vec<(bool, Expression)> = Vec::new();
@@ -179,6 +199,7 @@ impl Builder<'_> {
                     _ => Kind::Vector(values),
                 }
             }
+            Rule::absolute => Kind::Call(Function::Abs, self.bracket(&pair)?),
             Rule::root => {
                 let mut parts: Vec<Parsed<'_>> = pair.into_inner().collect();
                 let mut value = self.primary(parts.pop().ok_or_else(internal)?)?;
@@ -266,7 +287,13 @@ impl Builder<'_> {
     }
 
     fn number(&mut self, text: &str, span: Span) -> Result<Expression, Diagnostic> {
-        let value = Number::parse(text.trim()).ok_or_else(|| {
+        let digits = match text.trim() {
+            "½" => "0.5",
+            "¼" => "0.25",
+            "¾" => "0.75",
+            digits => digits,
+        };
+        let value = Number::parse(digits).ok_or_else(|| {
             Diagnostic::new(Code::NumberOutOfRange, format!("`{}` is too large for a double", text.trim()))
                 .at(span)
                 .hint("the largest is about 1.8e308")
@@ -334,81 +361,6 @@ impl Builder<'_> {
             .at(self.span(pair))
             .hint("where it is taken is said by `at u = …:`"))
     }
-}
-
-/// Factors side by side.
-struct Run {
-    factors: Vec<Expression>,
-    text: String,
-    span: Span,
-    /// Bytes of the first factor.
-    head: usize,
-    /// Name and argument of a last factor like `sin πt`, whose end is open.
-    bare_call: Option<(String, String)>,
-}
-
-fn is_coordinate(name: &str) -> bool {
-    matches!(name, "u" | "v" | "t")
-}
-
-/// `cos v t`: once an argument has its coordinate, what follows may belong to it or not.
-fn ambiguous_argument(function: &str, argument: &str, [first, next]: [&str; 2]) -> Diagnostic {
-    let message = format!("`{function} {argument}` can be read in two ways");
-    Diagnostic::new(Code::AmbiguousExpression, message)
-        .marked(format!("does `{next}` belong to the argument?"))
-        .hint(format!("write `{function}({argument})` if it does, `{function}({first})*{next}` if it does not"))
-}
-
-/// `e^2t` has two readings, and two numbers side by side are a slip.
-fn refuse_ambiguous_neighbours(
-    (left, left_span): (&str, Span),
-    (right, right_span): (&str, Span),
-) -> Result<(), Diagnostic> {
-    let touches = left_span.end == right_span.start;
-    let exponent = left.strip_prefix("e^").filter(|exponent| {
-        exponent.trim_start_matches(['-', '−', '+']).chars().all(|c| c.is_ascii_digit() || c == '.')
-    });
-    if let (true, Some(exponent)) = (touches, exponent) {
-        let message = format!("`{left}{right}` can be read in two ways");
-        return Err(Diagnostic::new(Code::AmbiguousExpression, message)
-            .at(left_span.to(right_span))
-            .hint(format!("write `e^({exponent}*{right})` or `{left}*{right}`")));
-    }
-    let is_number = |text: &str| text.starts_with(|c: char| c.is_ascii_digit() || c == '.');
-    if is_number(right) && is_number(left) {
-        return Err(Diagnostic::new(Code::UnexpectedText, "two numbers stand side by side")
-            .at(left_span.to(right_span))
-            .hint(format!("write one number, or `{left}*{right}`")));
-    }
-    Ok(())
-}
-
-/// `sin πt/2` and `a/2b` can each be read in two ways: show both.
-fn refuse_ambiguous_division(before: Option<&Run>, divisor: &Run) -> Result<(), Diagnostic> {
-    let Some(before) = before else { return Ok(()) };
-    let (above, below) = (&before.text, &divisor.text);
-    let ambiguous = |question: &str, hint: String| {
-        Err(Diagnostic::new(Code::AmbiguousExpression, format!("`{above}/{below}` can be read in two ways"))
-            .at(before.span.to(divisor.span))
-            .marked(question)
-            .hint(hint))
-    };
-    if let Some((function, argument)) = &before.bare_call {
-        let (inside, outside) =
-            (format!("{function}(({argument})/{below})"), format!("{function}({argument})/{below}"));
-        return ambiguous(
-            "does the division belong to the argument?",
-            format!("write `{inside}` if it does, `{outside}` if it does not"),
-        );
-    }
-    if divisor.factors.len() > 1 {
-        let (head, rest) = below.split_at_checked(divisor.head).unwrap_or((below, ""));
-        return ambiguous(
-            "what is divided by?",
-            format!("write `{above}/({below})` or `({above}/{head})*{}`", rest.trim()),
-        );
-    }
-    Ok(())
 }
 
 /// A function as written: the square root is not in the operator table.

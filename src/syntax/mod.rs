@@ -3,15 +3,21 @@
 //! Each logical line is parsed on its own, so one file can report several errors. Nothing is resolved here: a
 //! name is a name, and `h0(1 - t)` stays an application until [`resolve`](crate::resolve) knows what `h0` is.
 
+mod ambiguity;
 pub mod ast;
+mod bars;
 mod brackets;
 mod expression;
+mod format;
+mod latex;
 mod parser;
 mod partial;
+mod places;
 mod preflight;
 mod statement;
 
 pub use ast::Document;
+pub use format::{Alphabet, format};
 pub use preflight::decode;
 
 use ast::{Expression, Name, PatchBlock, Statements, Tree};
@@ -21,6 +27,10 @@ use preflight::Prepared;
 
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, MOST_FINDINGS, Source, Span};
 use crate::limits::Limits;
+
+/// Words that are no names.
+const RESERVED_WORDS: &[&str] =
+    &["param", "let", "domain", "pde", "with", "at", "solve", "in", "surface", "patch", "join", "curve"];
 
 /// Parses a spec.
 ///
@@ -54,9 +64,8 @@ pub fn parse(source: &Source, limits: &Limits) -> Result<Document, Diagnostics> 
 fn add_line(document: &mut Document, prepared: &Prepared, line: Span, in_patch: &mut bool) -> Result<(), Diagnostic> {
     let mut brackets = Brackets::read(prepared, line, &mut document.tree)?;
     let text = brackets::outermost(prepared, line);
-    let pair = parser::line(&text, line.start)?;
-    let mut builder =
-        Builder { tree: &mut document.tree, brackets: &mut brackets, offset: line.start, source: &prepared.text };
+    let pair = parser::line(&text, line.start).map_err(|finding| prepared.places.moved(finding))?;
+    let mut builder = Builder::new(prepared, line.start, &mut document.tree, &mut brackets);
     builder.statement(pair)?.add_to(document, in_patch)
 }
 
@@ -88,7 +97,6 @@ pub fn parse_expression(source: &Source, limits: &Limits) -> Result<(Tree, Expre
 fn values(prepared: &Prepared, span: Span, tree: &mut Tree) -> Result<Vec<Expression>, Diagnostic> {
     let mut brackets = Brackets::read(prepared, span, tree)?;
     let text = brackets::outermost(prepared, span);
-    let pair = parser::values(&text, span.start)?;
-    let mut builder = Builder { tree, brackets: &mut brackets, offset: span.start, source: &prepared.text };
-    builder.values(pair)
+    let pair = parser::values(&text, span.start).map_err(|finding| prepared.places.moved(finding))?;
+    Builder::new(prepared, span.start, tree, &mut brackets).values(pair)
 }

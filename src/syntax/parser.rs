@@ -4,6 +4,7 @@ use pest::Parser;
 use pest::error::{ErrorVariant, InputLocation};
 use pest::iterators::Pair;
 
+use super::bars::{BAR_CLOSES, BAR_OPENS};
 use crate::diagnostic::{Code, Diagnostic, Span};
 
 #[derive(pest_derive::Parser)]
@@ -54,6 +55,7 @@ fn unexpected(error: &pest::error::Error<Rule>, text: &str, offset: usize) -> Di
 fn found(text: &str, at: usize) -> String {
     match token(text.get(at..).unwrap_or("")) {
         "" => "the end".to_owned(),
+        BAR_OPENS | BAR_CLOSES => "`|`".to_owned(),
         token => format!("`{token}`"),
     }
 }
@@ -80,6 +82,7 @@ fn words(rule: Rule) -> Option<&'static str> {
         | Rule::power
         | Rule::call
         | Rule::bracketed
+        | Rule::absolute
         | Rule::root
         | Rule::number
         | Rule::pi
@@ -146,6 +149,9 @@ fn advice(text: &str, at: usize) -> Option<String> {
     }
     if text.starts_with("patch ") && !text.ends_with('{') {
         return Some("the statements of a patch stand in braces: `patch a {` … `}`".to_owned());
+    }
+    if before.is_empty() && text.contains('∂') && text.contains('=') {
+        return Some("an equation begins with `pde`, a constraint with `S`, `x` or a derivative of them".to_owned());
     }
     if text.starts_with("S") && rest.starts_with(':') {
         return Some("a boundary block begins with `at u = 0:`".to_owned());

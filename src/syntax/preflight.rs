@@ -2,9 +2,13 @@
 //!
 //! Turns bytes into logical lines of the same offsets: comments and line breaks inside brackets become
 //! blanks, a line that continues the one before is joined to it. Invariant: offsets never change, so every
-//! span of the parser is a span of the user's text. Size and nesting are bounded here because a parser's
+//! span of the parser is a span of the user's text; where LaTeX is spelled out first, [`Places`] says what each
+//! piece stands for. Size and nesting are bounded here because a parser's
 //! stack cannot be: pest's own limit counts calls and is shared by the whole process.
 
+use super::bars;
+use super::latex;
+use super::places::Places;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, MOST_FINDINGS, Source, Span, is_deceptive};
 use crate::expr::greek_letter;
 use crate::limits::Limits;
@@ -14,8 +18,12 @@ const STATEMENT_WORDS: &[&str] = &["param", "let", "domain", "pde", "at", "solve
 
 /// A text that is ready for the grammar.
 pub struct Prepared {
-    /// As long as the source, byte for byte.
+    /// As long as the source, byte for byte, unless that has LaTeX.
     pub text: String,
+    /// Where the bytes of `text` stand in the source.
+    pub places: Places,
+    /// The source as messages quote it.
+    pub shown: String,
     /// The logical lines, in order, none empty.
     pub lines: Vec<Span>,
     /// Offsets of `(` or `[` and of what closes it, innermost first.
@@ -71,19 +79,36 @@ fn check_size(bytes: usize, limits: &Limits) -> Result<(), Diagnostic> {
 /// Prepares a text, or says why it cannot be parsed.
 ///
 /// # Errors
-/// Every unbalanced bracket and deceptive character, or the first place where nesting passes its limit.
+/// Every block of LaTeX that cannot be read; every unbalanced bracket and deceptive character; or the first place
+/// where nesting passes its limit.
 pub fn prepare(source: &Source, limits: &Limits) -> Result<Prepared, Diagnostics> {
     // Here too: a source need not come from `decode`.
     check_size(source.text.len(), limits).map_err(|finding| vec![finding])?;
+    match latex::spell_out(&source.text)? {
+        None => blanked(&source.text, limits).map(|prepared| Prepared { shown: shown(&prepared.text), ..prepared }),
+        Some((text, places)) => match blanked(&text, limits) {
+            Ok(prepared) => Ok(Prepared { places, shown: source.text.clone(), ..prepared }),
+            Err(found) => Err(found.into_iter().map(|finding| places.moved(finding)).collect()),
+        },
+    }
+}
+
+/// A prepared text as its writer knows it.
+fn shown(text: &str) -> String {
+    text.replace([bars::BAR_OPENS, bars::BAR_CLOSES].map(|bar| bar.chars().next().unwrap_or(' ')), "|")
+}
+
+/// `text` with comments and line breaks in brackets blanked, its logical lines and its brackets.
+fn blanked(text: &str, limits: &Limits) -> Result<Prepared, Diagnostics> {
     let mut found = Diagnostics::new();
-    let mut bytes = source.text.clone().into_bytes();
+    let mut bytes = text.to_owned().into_bytes();
     let mut open = Open::default();
     let (mut brackets, mut blocks, mut breaks) = (Vec::new(), Vec::new(), Vec::new());
     let mut in_comment = false;
     // Where the statement began, once it has.
     let mut statement: Option<usize> = None;
-    for (at, letter) in source.text.char_indices() {
-        let rest = source.text.get(at..).unwrap_or("");
+    for (at, letter) in text.char_indices() {
+        let rest = text.get(at..).unwrap_or("");
         if letter == '\n' {
             in_comment = false;
             if open.is_inside() && starts_statement(rest.get(1..).unwrap_or("")) {
@@ -106,7 +131,7 @@ pub fn prepare(source: &Source, limits: &Limits) -> Result<Prepared, Diagnostics
             statement.get_or_insert(at);
         }
         match letter {
-            '{' if !open.is_inside() && opens_block(&source.text, statement, at) => {
+            '{' if !open.is_inside() && opens_block(text, statement, at) => {
                 if open.in_block {
                     found.push(nested_block(statement.unwrap_or(at), at));
                     open.brackets.clear();
@@ -123,9 +148,31 @@ pub fn prepare(source: &Source, limits: &Limits) -> Result<Prepared, Diagnostics
                     return Err(vec![too_deep(at, limits.nesting)]);
                 }
             }
+            '|' => {
+                let is_open = open.brackets.last().is_some_and(|(bracket, _)| *bracket == '|');
+                match bars::opens(text, at, is_open, &bytes) {
+                    Ok(true) => {
+                        open.brackets.push((letter, at));
+                        replace(&mut bytes, at, bars::BAR_OPENS);
+                        if open.brackets.len() > limits.nesting {
+                            return Err(vec![too_deep(at, limits.nesting)]);
+                        }
+                    }
+                    Ok(false) => {
+                        brackets.extend(open.brackets.pop().map(|(_, start)| (start, at)));
+                        replace(&mut bytes, at, bars::BAR_CLOSES);
+                    }
+                    Err(finding) => found.push(finding),
+                }
+            }
             ')' | ']' | '}' => {
                 let ends_block = letter == '}' && open.in_block && !open.is_inside();
                 match close(&mut open.brackets, letter, at) {
+                    Ok(start) if letter == '}' && is_exponent(text, start) => {
+                        replace(&mut bytes, start, "(");
+                        replace(&mut bytes, at, ")");
+                        brackets.push((start, at));
+                    }
                     Ok(start) if letter != '}' => brackets.push((start, at)),
                     Ok(_) => {}
                     Err(finding) => found.push(finding),
@@ -156,7 +203,7 @@ pub fn prepare(source: &Source, limits: &Limits) -> Result<Prepared, Diagnostics
     // Whole characters were replaced by as many blanks as they had bytes, so the text is still UTF-8.
     let text = String::from_utf8(bytes).unwrap_or_default();
     let lines = logical_lines(&text, &breaks);
-    Ok(Prepared { text, lines, brackets, blocks })
+    Ok(Prepared { text, lines, brackets, blocks, places: Places::default(), shown: String::new() })
 }
 
 /// Whether the `{` at `at` opens the block of the statement that began at `statement`: `patch NAME {`.
@@ -175,6 +222,21 @@ fn nested_block(start: usize, at: usize) -> Diagnostic {
     Diagnostic::new(Code::UnexpectedText, "a patch stands inside another patch")
         .at(Span::new(start, at + 1))
         .hint("close the one before with `}`")
+}
+
+/// Whether the brace at `start` holds an exponent, as in `e^{-t}`, that is more than a whole number.
+fn is_exponent(text: &str, start: usize) -> bool {
+    let before = text.get(..start).unwrap_or("").trim_end_matches([' ', '\t']);
+    let inside = text.get(start + 1..).unwrap_or("").trim_start();
+    let after = inside.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start();
+    (before.ends_with('^') || before.ends_with("**")) && !after.starts_with('}')
+}
+
+/// Puts the one byte of `mark` in place of the one at `at`.
+fn replace(bytes: &mut [u8], at: usize, mark: &str) {
+    for (byte, mark) in bytes.iter_mut().skip(at).zip(mark.bytes()) {
+        *byte = mark;
+    }
 }
 
 fn blank(bytes: &mut [u8], at: usize, letter: char) {
@@ -236,7 +298,7 @@ fn suspicious(letter: char, at: usize) -> Option<Diagnostic> {
 }
 
 /// Whether the first line of `text` begins a statement.
-fn starts_statement(text: &str) -> bool {
+pub fn starts_statement(text: &str) -> bool {
     // Only this line: blank ones after it would be read again at each of them.
     let line = text.split('\n').next().unwrap_or("").trim_start();
     STATEMENT_WORDS.iter().any(|word| begins_with_word(line, word))
@@ -278,10 +340,12 @@ fn logical_lines(text: &str, breaks: &[usize]) -> Vec<Span> {
     lines
 }
 
-fn continues(before: &str, line: &str) -> bool {
+/// Whether `line` belongs to the statement of the line `before` it.
+pub fn continues(before: &str, line: &str) -> bool {
     const LEADING: &[char] = &['+', '-', '−', '–', '*', '/', '·', '×', '÷', '=', '^', '{'];
     const TRAILING: &[char] = &['+', '-', '−', '–', '*', '/', '·', '×', '÷', '=', '^', ','];
     let leads =
         line.starts_with(LEADING) || line.strip_prefix("with").is_some_and(|rest| rest.starts_with([' ', '\t']));
-    leads || (before.ends_with(TRAILING) && !starts_statement(line))
+    // `pde` alone states nothing: the equation stands on the next lines.
+    leads || before == "pde" || (before.ends_with(TRAILING) && !starts_statement(line))
 }

@@ -1,5 +1,7 @@
 //! The command as its users run it: results, exit statuses, and what it leaves behind.
 
+mod notation;
+
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};

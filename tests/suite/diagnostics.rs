@@ -14,6 +14,7 @@ use table::{ROWS, Spec};
 /// Codes that no text produces by itself, and what does.
 const ELSEWHERE: &[(Code, &str)] = &[
     (Code::NotUtf8, "bytes that are not text: below"),
+    (Code::NotFormatted, "a fault of `fmt` itself"),
     (Code::PointOutsideDomain, "points and instants of the command line"),
     (Code::BadPoints, "tables of points of the command line"),
     (Code::PromiseBroken, "tests of `Blend`, which judges solutions"),

@@ -1,4 +1,4 @@
-//! Expressions as text: what is written reads back as the same expression, in both notations.
+//! Expressions as text: what is written reads back as the same expression, in every notation.
 
 use proptest::prelude::*;
 use trimline::expr::Notation;
@@ -13,6 +13,7 @@ fn reread(text: &str, notation: Notation) -> Result<(), TestCaseError> {
     let Ok(first) = problem_within(&document, &Limits::default()) else { return Ok(()) };
     let value = patch(&first).conditions[0].value[0];
     let written = first.graph.text(value, notation, 1 << 16).expect("short");
+    let written = if notation == Notation::Latex { format!("$${written}$$") } else { written };
     let document = format!("{declared}at u = 0: S = [{text}, {written}, 0], dS/du = 0\nat u = 1: S = 0, dS/du = 0");
     let both = problem_within(&document, &Limits::default())
         .map_err(|found| TestCaseError::fail(format!("{text} is written {written}: {}", told(&document, &found))))?;
@@ -49,9 +50,10 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
 
     #[test]
-    fn text_in_both_notations_reads_back_as_the_same_expression(text in expression()) {
+    fn text_in_every_notation_reads_back_as_the_same_expression(text in expression()) {
         reread(&text, Notation::Ascii)?;
         reread(&text, Notation::Unicode)?;
+        reread(&text, Notation::Latex)?;
     }
 }
 
@@ -114,7 +116,7 @@ fn text_of_awkward_expressions_reads_back_as_the_same_expression() {
         "0/v",
         "v/0",
     ] {
-        for notation in [Notation::Ascii, Notation::Unicode] {
+        for notation in [Notation::Ascii, Notation::Unicode, Notation::Latex] {
             reread(text, notation).unwrap_or_else(|failure| panic!("{failure}"));
         }
     }

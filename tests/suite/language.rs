@@ -149,6 +149,43 @@ fn bare_argument_extends_to_the_next_operator_or_function() {
 }
 
 #[test]
+fn bars_are_absolute_values_where_only_one_reading_is_possible() {
+    same("|v|", "abs(v)");
+    same("2|v - 1|t", "2*abs(v - 1)*t");
+    same("|v||t|", "abs(v)*abs(t)");
+    same("||v| - 1|", "abs(abs(v) - 1)");
+    same("|v - |t||", "abs(v - abs(t))");
+    same("sin |v| + |t|^2", "sin(abs(v)) + abs(t)^2");
+    same("(|v| + 1)(|t| + 2)", "(abs(v) + 1)*(abs(t) + 2)");
+}
+
+#[test]
+fn braces_are_brackets_in_exponents() {
+    same("e^{-t}", "e^(-t)");
+    same("v^{2}", "v^2");
+    same("v**{2 k}", "v^(2*k)");
+    same("b_{1}^{k + 1}", "b1^(k + 1)");
+}
+
+#[test]
+fn vulgar_fractions_are_numbers() {
+    same("½ v", "0.5*v");
+    same("¼(v + ¾)", "0.25*(v + 0.75)");
+    same("v^½", "sqrt(v)");
+}
+
+#[test]
+fn domain_and_range_may_be_written_with_the_sign_of_an_element() {
+    let spec = |word: &str| format!("param a = 1 {word} [0, 2]\ndomain v {word} [0, 3]\n{BOUNDARY}");
+    let ends = |text: &str| {
+        let problem = problem(text);
+        let texts = |[low, high]: [ExprId; 2]| [low, high].map(|id| problem.graph.text(id, Notation::Ascii, 99));
+        (texts(problem.parameters[0].interval.expect("a range")), texts(patch(&problem).domain.ends[1]))
+    };
+    assert_eq!(ends(&spec("∈")), ends(&spec("in")));
+}
+
+#[test]
 fn powers_bind_tighter_than_a_minus_and_from_the_right() {
     same("-v^2", "-(v^2)");
     same("e^-t", "exp(-t)");

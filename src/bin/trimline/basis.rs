@@ -1,6 +1,6 @@
 //! `trimline basis`: the decomposition, for reading, snapshots and programs.
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use serde::Serialize;
 use serde_json::{Map, Value};
 
@@ -10,7 +10,8 @@ use trimline::expr::{ExprId, Notation};
 use trimline::limits::Limits;
 
 use crate::Outcome;
-use crate::options::{Format, Reading, Terminal};
+use crate::failure::Failure;
+use crate::options::{Reading, Terminal};
 use crate::output;
 use crate::workflow::Spec;
 
@@ -29,6 +30,17 @@ pub struct Arguments {
     /// How to print.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
+}
+
+/// How a decomposition is printed.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// For reading.
+    Text,
+    /// For programs; keys are stable.
+    Json,
+    /// For documents with `amsmath`, and for KaTeX.
+    Latex,
 }
 
 #[derive(Serialize)]
@@ -63,6 +75,9 @@ struct Condition {
 }
 
 pub fn run(arguments: &Arguments, _terminal: &Terminal) -> Outcome {
+    if arguments.closure && arguments.format == Format::Latex {
+        return Err(Failure::Usage("--closure is printed as text or JSON".to_owned()));
+    }
     let spec = Spec::read(&arguments.spec, &arguments.reading)?;
     let mut texts = Vec::new();
     let mut patches = Vec::new();
@@ -79,6 +94,10 @@ pub fn run(arguments: &Arguments, _terminal: &Terminal) -> Outcome {
                     texts.push(text.map_err(|finding| spec.fault(finding))?);
                 }
             }
+            Format::Latex => {
+                let text = decomposition.to_latex(&spec.limits);
+                texts.push(text.map_err(|finding| spec.fault(finding))?);
+            }
             Format::Json => {
                 let basis = patch_basis(&decomposition, spec.bindings.as_slice(), &spec.limits);
                 let mut basis = basis.map_err(|finding| spec.fault(finding))?;
@@ -90,7 +109,7 @@ pub fn run(arguments: &Arguments, _terminal: &Terminal) -> Outcome {
         }
     }
     match arguments.format {
-        Format::Text => output::print(&texts.join("\n")),
+        Format::Text | Format::Latex => output::print(&texts.join("\n")),
         Format::Json => output::print_json(&Patches { patches }),
     }
 }

@@ -5,7 +5,8 @@ use std::fmt::Write;
 use clap::Args;
 use serde::Serialize;
 
-use trimline::problem::describe_condition;
+use trimline::expr::Notation;
+use trimline::problem::{Explanation, Patch, describe_condition};
 use trimline::verify::Verification;
 
 use crate::Outcome;
@@ -25,6 +26,10 @@ pub struct Arguments {
 
     #[command(flatten)]
     collocation: Collocation,
+
+    /// Also what was understood: params, equation, domain and constraints, in Unicode and in LaTeX.
+    #[arg(long)]
+    explain: bool,
 
     /// Fail if the surface misses a prescribed position by more than this.
     #[arg(long, value_name = "LENGTH")]
@@ -54,6 +59,25 @@ struct PatchReport {
     pde_residual: f64,
     amplification: Option<f64>,
     times: Vec<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    explanation: Option<Explanations>,
+}
+
+/// What was understood, in both notations.
+#[derive(Serialize)]
+struct Explanations {
+    unicode: Explained,
+    latex: Explained,
+}
+
+#[derive(Serialize)]
+struct Explained {
+    params: String,
+    equation: String,
+    domain: String,
+    constraints: String,
+    #[serde(skip)]
+    whole: String,
 }
 
 #[derive(Serialize)]
@@ -119,7 +143,8 @@ fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Vec<P
         }
         if let Some(worst) = worst {
             let report = patch_report(&spec, &patched, method, &worst, times)?;
-            reports.push(PatchReport { amplification, ..report });
+            let explanation = if arguments.explain { Some(explanations(&spec, patch)?) } else { None };
+            reports.push(PatchReport { amplification, explanation, ..report });
         }
     }
     Ok(reports)
@@ -146,7 +171,18 @@ fn patch_report(
         pde_residual: worst.relative_residual(),
         amplification: None,
         times,
+        explanation: None,
     })
+}
+
+fn explanations(spec: &Spec, patch: &Patch) -> Result<Explanations, Failure> {
+    let explained = |notation: Notation| {
+        let explanation = spec.problem.explain(patch, notation, &spec.limits).map_err(|finding| spec.fault(finding))?;
+        let whole = explanation.to_text();
+        let Explanation { parameters: params, equation, domain, constraints } = explanation;
+        Ok::<_, Failure>(Explained { params, equation, domain, constraints, whole })
+    };
+    Ok(Explanations { unicode: explained(Notation::Unicode)?, latex: explained(Notation::Latex)? })
 }
 
 /// Writing to a string does not fail.
@@ -157,6 +193,10 @@ fn text(report: &Report) -> String {
             [first, .., last] => format!("{} instants from t = {first} to {last}", patch.times.len()),
             times => times.iter().map(|time| format!("t = {time}")).collect(),
         };
+        if let Some(explanation) = &patch.explanation {
+            let (unicode, latex) = (&explanation.unicode.whole, &explanation.latex.whole);
+            let _ = writeln!(text, "patch {} as it was understood\n\n{unicode}\nin LaTeX\n\n{latex}", patch.name);
+        }
         let _ = writeln!(text, "patch {}: method {}, {when}", patch.name, patch.method);
         for boundary in &patch.boundaries {
             let what = describe_condition(None, boundary.order, boundary.u);

@@ -8,6 +8,7 @@ mod check;
 mod emit;
 mod eval;
 mod failure;
+mod fmt;
 mod mesh;
 mod options;
 mod output;
@@ -64,6 +65,8 @@ enum Command {
     Solve(solve::Arguments),
     /// Evaluates the surface at given points, as CSV.
     Eval(eval::Arguments),
+    /// Lays specs out in their canonical form; comments are kept.
+    Fmt(fmt::Arguments),
     /// Writes meshes and animations; the format by the extension of the file.
     Mesh(mesh::Arguments),
     /// Writes the solved surface as source code: GLSL, WGSL, C, Rust or NumPy.
@@ -81,6 +84,7 @@ fn main() -> ExitCode {
         Command::Basis(arguments) => basis::run(&arguments, &terminal),
         Command::Solve(arguments) => solve::run(&arguments, &terminal),
         Command::Eval(arguments) => eval::run(&arguments, &terminal),
+        Command::Fmt(arguments) => fmt::run(&arguments, &terminal),
         Command::Mesh(arguments) => mesh::run(&arguments, &terminal),
         Command::Emit(arguments) => emit::run(&arguments, &terminal),
         #[cfg(feature = "view")]

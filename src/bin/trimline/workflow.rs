@@ -52,12 +52,10 @@ impl Spec {
     pub fn read(path: &str, reading: &Reading) -> Result<Spec, Failure> {
         let limits = reading.limits()?;
         let start = Instant::now();
-        let (name, bytes) = read_bytes(path, &limits)?;
-        let empty = || Source::new(name.clone(), String::from_utf8_lossy(&bytes));
-        let source = syntax::decode(&name, &bytes, &limits).map_err(|finding| Failure::one(&empty(), finding))?;
+        let source = read_source(path, &limits)?;
         let document = syntax::parse(&source, &limits).map_err(|findings| Failure::found(&source, findings))?;
-        let stem =
-            Path::new(&name).file_stem().map_or_else(|| name.clone(), |stem| stem.to_string_lossy().into_owned());
+        let stem = Path::new(&source.name).file_stem();
+        let stem = stem.map_or_else(|| source.name.clone(), |stem| stem.to_string_lossy().into_owned());
         let problem = resolve(&document, &stem, &limits).map_err(|findings| Failure::found(&source, findings))?;
         let (problem, bindings) = with_values(problem, &source, &reading.set, &limits)?;
         let patches = select(&problem, reading.patch.as_deref())?;
@@ -128,6 +126,13 @@ impl Patched {
 pub fn common_times(patched: &[Patched]) -> Option<[f64; 2]> {
     let ranges = patched.iter().map(|patch| patch.prepared.domain.t);
     ranges.reduce(|[a, b], [c, d]| [a.max(c), b.min(d)]).filter(|[start, end]| start <= end)
+}
+
+/// The text of `path`, or of standard input for `-`.
+pub fn read_source(path: &str, limits: &Limits) -> Result<Source, Failure> {
+    let (name, bytes) = read_bytes(path, limits)?;
+    let empty = || Source::new(name.clone(), String::from_utf8_lossy(&bytes));
+    syntax::decode(&name, &bytes, limits).map_err(|finding| Failure::one(&empty(), finding))
 }
 
 fn read_bytes(path: &str, limits: &Limits) -> Result<(String, Vec<u8>), Failure> {

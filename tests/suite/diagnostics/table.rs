@@ -171,5 +171,9 @@ pub const ROWS: &[Row] = &[
     (Data("2 sin v(1-t)^2"), AmbiguousExpression, "1:18", "sin v(1-t)^2", "`sin(v)*(1-t)^2` if it does not"),
     (Data("e^-2t"), AmbiguousExpression, "1:16", "e^-2t", "write `e^(-2*t)`"),
     (Data("1.5.2 v"), UnexpectedText, "1:16", "1.5.2", "two numbers stand side by side"),
+    (Data(r"$$\bar{v}$$"), UnsupportedLatex, "1:18", r"\bar", "subscript"),
+    (Data("(|v)"), UnbalancedBracket, "1:19", ")", "`|` is closed by `)`"),
+    (Data("|v|t|"), AmbiguousExpression, "1:18", "|", "`abs(…)`"),
+    (Data("2½ v"), UnexpectedText, "1:16", "2½", "two numbers stand side by side"),
     (After("solve sine, terms = 2000, points = 4000 x 4"), LimitReached, "3:36", "4000 x 4", "`operations`"),
 ];

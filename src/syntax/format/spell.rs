@@ -1,0 +1,189 @@
+//! Names, derivatives, powers and operators in ASCII or in Unicode.
+
+use std::borrow::Cow;
+
+use super::Alphabet;
+use super::token::{Kind, Line, Token};
+use crate::expr::{Function, canonical_name, unicode_name};
+use crate::syntax::RESERVED_WORDS;
+
+/// Statements whose words are names of the document.
+const OF_NAMES: &[&str] = &["param", "let", "domain", "pde", "at", "surface"];
+
+/// Spells the tokens of `lines` in `alphabet`.
+pub fn respell(lines: &mut [Line<'_>], alphabet: Alphabet) {
+    if alphabet == Alphabet::Kept {
+        return;
+    }
+    let mut has_names = true;
+    for line in lines {
+        let first = line.tokens.first().filter(|first| first.kind == Kind::Word).map(|first| first.text.to_string());
+        if let Some(word) = first.filter(|word| RESERVED_WORDS.contains(&word.as_str()) && word != "with") {
+            has_names = OF_NAMES.contains(&word.as_str());
+        }
+        if has_names {
+            match alphabet {
+                Alphabet::Ascii => to_ascii(&mut line.tokens),
+                _ => to_unicode(&mut line.tokens),
+            }
+            keep_apart(&mut line.tokens);
+        } else if alphabet == Alphabet::Ascii {
+            line.tokens.iter_mut().filter(|token| token.is("×")).for_each(|token| token.text = "x".into());
+        }
+    }
+}
+
+/// `πt` was two tokens, and so must `pi t` be.
+fn keep_apart(tokens: &mut [Token<'_>]) {
+    let is_word = |token: &Token<'_>| matches!(token.kind, Kind::Word | Kind::Number);
+    let mut follows_word = false;
+    for token in tokens {
+        token.is_spaced |= follows_word && is_word(token) && token.kind == Kind::Word;
+        follows_word = token.kind == Kind::Word;
+    }
+}
+
+fn to_ascii(tokens: &mut [Token<'_>]) {
+    for token in tokens {
+        let text = match token.kind {
+            Kind::Word if token.text.starts_with('∂') => Cow::Owned(ascii_derivative(&token.text)),
+            Kind::Word if !token.text.is_ascii() => Cow::Owned(ascii_word(&token.text)),
+            Kind::Superscript => Cow::Owned(format!("^{}", digits(&token.text))),
+            Kind::Sign if !token.text.is_ascii() => Cow::Borrowed("-"),
+            Kind::Operator if matches!(&*token.text, "·" | "⋅" | "×") => Cow::Borrowed("*"),
+            Kind::Operator if matches!(&*token.text, "÷" | "∕") => Cow::Borrowed("/"),
+            Kind::Relation if token.is("∈") => Cow::Borrowed("in"),
+            _ => continue,
+        };
+        token.text = text;
+    }
+}
+
+/// `∂u²∂v²` as `du2dv2`
+fn ascii_derivative(text: &str) -> String {
+    digits(&text.replace('∂', "d"))
+}
+
+/// `b₁²` as `b1^2`
+fn ascii_word(text: &str) -> String {
+    let end = text.find(|c: char| digits(&c.to_string()) != c.to_string()).unwrap_or(text.len());
+    let (name, power) = text.split_at_checked(end).unwrap_or((text, ""));
+    let name = if name.is_ascii() { name.to_owned() } else { canonical_name(name) };
+    if power.is_empty() { name } else { format!("{name}^{}", digits(power)) }
+}
+
+/// Superscripts as plain digits.
+fn digits(text: &str) -> String {
+    const SUPERSCRIPTS: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+    let plain = |c: char| match SUPERSCRIPTS.chars().position(|superscript| superscript == c) {
+        Some(digit) => char::from_digit(u32::try_from(digit).unwrap_or(0), 10).unwrap_or(c),
+        None if c == '⁻' => '-',
+        None => c,
+    };
+    text.chars().map(plain).collect()
+}
+
+fn superscript(text: &str) -> String {
+    const SUPERSCRIPTS: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+    let raised = |c: char| c.to_digit(10).and_then(|digit| SUPERSCRIPTS.chars().nth(digit as usize)).unwrap_or(c);
+    text.chars().map(raised).collect()
+}
+
+fn to_unicode(tokens: &mut Vec<Token<'_>>) {
+    spell_derivatives(tokens);
+    raise_exponents(tokens);
+    for sign in tokens.iter_mut().filter(|token| token.kind == Kind::Sign && !token.text.is_ascii()) {
+        sign.text = Cow::Borrowed("-");
+    }
+    for token in tokens.iter_mut().filter(|token| token.kind == Kind::Word) {
+        let is_function = Function::named(&token.text).is_some() || token.is("sqrt");
+        if token.is("in") {
+            continue;
+        }
+        let has_power = token.text.chars().any(|c| digits(&c.to_string()) != c.to_string());
+        if !is_function && !has_power && !RESERVED_WORDS.contains(&&*token.text) && !token.text.starts_with('∂') {
+            let canonical = canonical_name(&token.text);
+            token.text = Cow::Owned(if canonical == "pi" { "π".to_owned() } else { unicode_name(&canonical) });
+        }
+    }
+}
+
+/// `d4S/du2dv2` as `∂⁴S/∂u²∂v²`, also with `(u, v, t)` before the bar.
+fn spell_derivatives(tokens: &mut [Token<'_>]) {
+    let mut above: Option<usize> = None;
+    let mut found = Vec::new();
+    for (index, token) in tokens.iter().enumerate() {
+        match token.kind {
+            Kind::Word if is_above(&token.text) => above = Some(index),
+            Kind::Word if is_below(&token.text) => {
+                let follows_bar = index.checked_sub(1).and_then(|bar| tokens.get(bar)).is_some_and(|bar| bar.is("/"));
+                found.extend(above.take().filter(|_| follows_bar).map(|above| [above, index]));
+            }
+            Kind::Word if matches!(&*token.text, "u" | "v" | "t") => {}
+            Kind::Open | Kind::Close | Kind::Comma => {}
+            Kind::Operator if token.is("/") => {}
+            _ => above = None,
+        }
+    }
+    for token in found.into_iter().flatten() {
+        if let Some(token) = tokens.get_mut(token) {
+            token.text = Cow::Owned(unicode_derivative(&token.text));
+        }
+    }
+}
+
+fn unicode_derivative(text: &str) -> String {
+    let mut spelled = String::new();
+    // The digits of `x1` are its name, those behind `d` and `u` are orders.
+    let mut is_name = false;
+    for c in text.chars() {
+        is_name |= matches!(c, 'S' | 'x' | 'y' | 'z');
+        match c {
+            'd' => spelled.push('∂'),
+            '0'..='9' if !is_name => spelled.push_str(&superscript(&c.to_string())),
+            _ => spelled.push(c),
+        }
+    }
+    spelled
+}
+
+/// `dS`, `d4S_x`, `dx_1`
+fn is_above(text: &str) -> bool {
+    let Some(rest) = text.strip_prefix('d') else { return false };
+    let rest = rest.trim_start_matches(|c: char| c.is_ascii_digit());
+    matches!(canonical_name(rest).as_str(), "S" | "S_x" | "S_y" | "S_z" | "x" | "y" | "z" | "x1" | "x2" | "x3")
+}
+
+/// `du4`, `du2dv2`
+fn is_below(text: &str) -> bool {
+    let mut parts = text.split('d');
+    parts.next() == Some("") && {
+        let parts: Vec<&str> = parts.collect();
+        let is_part = |part: &&str| {
+            part.strip_prefix(['u', 'v', 't']).is_some_and(|order| order.chars().all(|c| c.is_ascii_digit()))
+        };
+        !parts.is_empty() && parts.iter().all(is_part)
+    }
+}
+
+/// `v^2` as `v²`, where a whole number is the whole exponent.
+fn raise_exponents(tokens: &mut Vec<Token<'_>>) {
+    let mut spelled: Vec<Token<'_>> = Vec::with_capacity(tokens.len());
+    let mut rest = std::mem::take(tokens).into_iter().peekable();
+    while let Some(token) = rest.next() {
+        let is_power = token.kind == Kind::Operator && matches!(&*token.text, "^" | "**");
+        let follows_operand = spelled.last().is_some_and(|last| {
+            matches!(last.kind, Kind::Close | Kind::Number) || (last.kind == Kind::Word && !last.text.starts_with('∂'))
+        });
+        let is_integer = |next: &Token<'_>| next.text.chars().all(|c| c.is_ascii_digit());
+        match rest.next_if(|next| is_power && follows_operand && next.kind == Kind::Number && is_integer(next)) {
+            Some(exponent) if !rest.peek().is_some_and(|next| matches!(&*next.text, "^" | "**")) => {
+                let text = Cow::Owned(superscript(&exponent.text));
+                spelled.push(Token { kind: Kind::Superscript, text, is_spaced: false });
+            }
+            Some(exponent) => spelled.extend([token, exponent]),
+            None => spelled.push(token),
+        }
+    }
+    *tokens = spelled;
+}

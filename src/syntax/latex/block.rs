@@ -1,0 +1,376 @@
+//! One block of LaTeX to the plain notation, token by token.
+
+use super::commands::{self, Meaning};
+use super::group::{Group, Groups};
+use super::spelling::{Piece, Spelling};
+use super::token::{self, Token, TokenKind};
+use super::{Opening, unsupported};
+use crate::diagnostic::{Code, Diagnostic, Span};
+
+/// A block that is being read.
+pub struct Block<'a> {
+    pub(super) source: &'a str,
+    opening: Opening,
+    /// The `$$`, `\[` or `\begin`.
+    start: Span,
+    /// Whether it states constraints, row by row; otherwise it is part of a line.
+    is_list: bool,
+    pub(super) spelling: &'a mut Spelling,
+    /// Where the next token is looked for.
+    pub(super) at: usize,
+    pub(super) groups: Groups,
+    row: Row,
+    /// The token before this one.
+    previous: Option<Token<'a>>,
+}
+
+/// How far a row has been read.
+#[derive(Default)]
+struct Row {
+    /// Whether anything stands before the token at hand.
+    is_begun: bool,
+    /// Whether a `=` stands before it, after the last separator.
+    has_equals: bool,
+    /// Whether the row began with `u =` and its value has not ended.
+    is_position: bool,
+}
+
+impl<'a> Block<'a> {
+    /// The block that `opening` opens at `at`.
+    pub fn new(source: &'a str, opening: Opening, at: usize, is_list: bool, spelling: &'a mut Spelling) -> Block<'a> {
+        // A `\begin` is read as any other.
+        let begin = if opening == Opening::Environment { at } else { at + 2 };
+        Block {
+            source,
+            opening,
+            start: Span::new(at, at + 2),
+            is_list,
+            spelling,
+            at: begin,
+            groups: Groups::default(),
+            row: Row::default(),
+            previous: None,
+        }
+    }
+
+    /// Writes the block's plain spelling; the offset behind the block.
+    pub fn read(&mut self) -> Result<usize, Diagnostic> {
+        while let Some(token) = self.peek() {
+            self.at = token.span.end;
+            if self.ends(&token) {
+                self.groups.check_closed()?;
+                self.end_position(token.span);
+                return Ok(self.at);
+            }
+            self.token(token)?;
+            self.previous = Some(token);
+            if self.opening == Opening::Environment && self.groups.is_empty() {
+                self.end_position(token.span);
+                return Ok(self.at);
+            }
+        }
+        Err(Diagnostic::new(Code::UnbalancedBracket, "the LaTeX that begins here never ends").at(self.start))
+    }
+
+    /// The next token.
+    pub(super) fn peek(&self) -> Option<Token<'a>> {
+        token::next(self.source, self.at)
+    }
+
+    /// The next token that is no line end, taken if it is `wanted`.
+    pub(super) fn take(&mut self, wanted: TokenKind) -> Option<Token<'a>> {
+        let mut at = self.at;
+        loop {
+            let token = token::next(self.source, at)?;
+            at = token.span.end;
+            if token.kind == wanted {
+                self.at = at;
+                return Some(token);
+            }
+            if token.kind != TokenKind::LineEnd {
+                return None;
+            }
+        }
+    }
+
+    fn ends(&self, token: &Token<'_>) -> bool {
+        match self.opening {
+            Opening::Dollars => token.kind == TokenKind::Dollars,
+            Opening::Bracket => token.is_command("]"),
+            Opening::Environment => false,
+        }
+    }
+
+    fn token(&mut self, token: Token<'a>) -> Result<(), Diagnostic> {
+        let is_first = !self.row.is_begun && !token.is_symbol("&") && token.kind != TokenKind::LineEnd;
+        let is_rows = token.is_command("begin") && self.groups.is_outside();
+        self.row.is_begun |= is_first && !is_rows;
+        match token.kind {
+            TokenKind::Letter if is_first && self.opens_position(&token) => {
+                self.spelling.put("at", token.span, Piece::Word);
+                self.spelling.put(token.text, token.span, Piece::Word);
+                self.row.is_position = true;
+            }
+            TokenKind::Letter => self.letter(token.text, token.span)?,
+            TokenKind::Number => self.number(&token),
+            TokenKind::Open => self.open_brace(&token),
+            TokenKind::Close => self.close_brace(&token)?,
+            TokenKind::Break => self.row_end(&token),
+            TokenKind::LineEnd if self.is_list => self.row_end(&token),
+            TokenKind::LineEnd => self.mark(" ", &token),
+            TokenKind::Dollars => return Err(unsupported("`$$` inside another block", token.span)),
+            TokenKind::Symbol => self.symbol(&token)?,
+            TokenKind::Command => self.command(&token)?,
+        }
+        Ok(())
+    }
+
+    pub(super) fn mark(&mut self, text: &str, token: &Token<'_>) {
+        self.spelling.put(text, token.span, Piece::Mark);
+    }
+
+    /// Whether a row begins with `u =`, which opens the constraints at that u.
+    fn opens_position(&self, token: &Token<'_>) -> bool {
+        let mut at = token.span.end;
+        let mut next = || {
+            let token = token::next(self.source, at)?;
+            at = token.span.end;
+            Some(token)
+        };
+        let after = next().and_then(|token| if token.is_symbol("&") { next() } else { Some(token) });
+        self.is_list
+            && self.groups.is_outside()
+            && token.is_letter("u")
+            && after.is_some_and(|token| token.is_symbol("="))
+    }
+
+    /// Ends `u = 0`; whether there was one to end.
+    fn end_position(&mut self, place: Span) -> bool {
+        let is_position = std::mem::take(&mut self.row.is_position);
+        if is_position {
+            self.spelling.put(":", place, Piece::Mark);
+            self.row.has_equals = false;
+        }
+        is_position
+    }
+
+    /// `\\`, or a line end of a list: both end a row, and components inside a matrix.
+    fn row_end(&mut self, token: &Token<'_>) {
+        let is_break = token.kind == TokenKind::Break;
+        match self.groups.last() {
+            Some(Group::Matrix(_)) if is_break => self.mark(", ", token),
+            None | Some(Group::Rows(_)) => {
+                self.end_position(token.span);
+                self.mark("\n", token);
+                self.row = Row::default();
+            }
+            Some(_) => self.mark(" ", token),
+        }
+    }
+
+    fn symbol(&mut self, token: &Token<'a>) -> Result<(), Diagnostic> {
+        let is_outside = self.groups.is_outside();
+        match token.text {
+            "&" if matches!(self.groups.last(), Some(Group::Matrix(_))) => self.mark(", ", token),
+            "&" => {}
+            "(" | "[" => {
+                self.groups.open(Group::Bracket(if token.text == "(" { ')' } else { ']' }), token.span);
+                self.mark(token.text, token);
+            }
+            ")" | "]" => {
+                let close = if token.text == ")" { ')' } else { ']' };
+                self.groups.close(token, |group| *group == Group::Bracket(close))?;
+                self.mark(token.text, token);
+            }
+            "," | ";" if is_outside && self.is_list => {
+                if !self.end_position(token.span) {
+                    self.mark(token.text, token);
+                }
+                self.row.has_equals = false;
+                self.skip_equation_number();
+            }
+            "." => self.full_stop(token)?,
+            "=" if is_outside && self.is_list => {
+                if self.row.is_position && self.row.has_equals {
+                    return Err(Diagnostic::new(Code::UnexpectedText, "an equation follows the position on its line")
+                        .at(token.span)
+                        .hint(r"end the position with a comma, `\quad` or a line break: `u = 0,`"));
+                }
+                self.row.has_equals = true;
+                self.mark(" = ", token);
+            }
+            "^" => self.exponent(token)?,
+            "_" | "'" | "′" => {
+                return Err(unsupported(&format!("a `{}` that follows no letter", token.text), token.span)
+                    .hint("subscripts and primes come right after the letter: `b_{1}'`, and its power after them"));
+            }
+            "#" => return Err(unsupported("`#`", token.span).hint("in LaTeX comments begin with `%`")),
+            "$" | "\"" => return Err(unsupported(&format!("`{}`", token.text), token.span)),
+            other => self.mark(other, token),
+        }
+        Ok(())
+    }
+
+    /// A full stop ends a sentence and means nothing; anywhere else it is a slip.
+    fn full_stop(&mut self, token: &Token<'_>) -> Result<(), Diagnostic> {
+        if self.skip_equation_number() {
+            return Ok(());
+        }
+        let is_end = self.peek().is_none_or(|next| {
+            matches!(next.kind, TokenKind::Break | TokenKind::LineEnd | TokenKind::Dollars)
+                || ["]", "end", "tag", "quad", "qquad", "label"].iter().any(|name| next.is_command(name))
+        });
+        if is_end { Ok(()) } else { Err(unsupported("a full stop inside an equation", token.span)) }
+    }
+
+    /// Skips `(13)` before the end of the block; only after punctuation, since it could be a factor.
+    fn skip_equation_number(&mut self) -> bool {
+        let mut at = self.at;
+        let mut next = || {
+            let token = token::next(self.source, at)?;
+            at = token.span.end;
+            Some(token)
+        };
+        let mut is_number = || {
+            if !next()?.is_symbol("(") || next()?.kind != TokenKind::Number {
+                return None;
+            }
+            let mut last = next()?;
+            if last.kind == TokenKind::Letter {
+                last = next()?;
+            }
+            last.is_symbol(")").then_some(last.span.end)
+        };
+        let Some(end) = is_number() else { return false };
+        let follows = token::next(self.source, end);
+        let is_last = follows.is_some_and(|token| self.ends(&token) || token.is_command("end"));
+        if is_last {
+            self.at = end;
+        }
+        is_last
+    }
+
+    fn command(&mut self, token: &Token<'a>) -> Result<(), Diagnostic> {
+        let Some(meaning) = commands::meaning(token.text) else {
+            return Err(unsupported(&format!("`\\{}`", token.text), token.span).hint(commands::advice(token.text)));
+        };
+        match meaning {
+            Meaning::Letter(letter) => self.letter(&letter, token.span)?,
+            Meaning::Function(name) => self.function(name, token),
+            Meaning::Mark(brace @ ("(" | ")")) => self.written_brace(brace, token)?,
+            Meaning::Mark(mark) => self.mark(mark, token),
+            Meaning::Fraction => self.fraction(token)?,
+            Meaning::Root => self.root(token)?,
+            Meaning::Upright => self.upright(token)?,
+            Meaning::Bold => self.bold(token)?,
+            Meaning::Sizing => self.sizing(token)?,
+            Meaning::Bar => self.bar(token, token.text == "lvert")?,
+            Meaning::Nothing => {}
+            Meaning::Wide => self.wide(token),
+            Meaning::Remark => self.remark(token)?,
+            Meaning::Begin => self.begin(token)?,
+            Meaning::End => self.end(token)?,
+        }
+        Ok(())
+    }
+
+    /// `\{` and `\}` are brackets like any other.
+    fn written_brace(&mut self, brace: &'static str, token: &Token<'a>) -> Result<(), Diagnostic> {
+        if brace == "(" {
+            self.groups.open(Group::Bracket('}'), token.span);
+        } else {
+            self.groups.close(token, |group| *group == Group::Bracket('}'))?;
+        }
+        self.mark(brace, token);
+        Ok(())
+    }
+
+    /// A number; `2 \cdot 10^{-3}` is the number `2e-3`, to the last digit, unless it stands behind a fraction bar.
+    fn number(&mut self, token: &Token<'a>) {
+        let is_divisor = self.previous.is_some_and(|before| before.is_symbol("/") || before.is_command("div"));
+        let mantissa = if token.text == "10" { Some("1") } else { None };
+        let power = match mantissa {
+            Some(_) => self.power_of_ten(token.span.end),
+            None if is_divisor => None,
+            None => {
+                let sign = self.peek().filter(|sign| sign.is_command("cdot") || sign.is_command("times"));
+                let ten = sign.and_then(|sign| token::next(self.source, sign.span.end));
+                ten.filter(|ten| ten.text == "10").and_then(|ten| self.power_of_ten(ten.span.end))
+            }
+        };
+        let Some((exponent, end)) = power else {
+            self.spelling.put(token.text, token.span, Piece::Word);
+            return;
+        };
+        self.at = end;
+        let number = format!("{}e{exponent}", mantissa.unwrap_or(token.text));
+        self.spelling.put(&number, Span::new(token.span.start, end), Piece::Word);
+    }
+
+    /// The exponent in `^{-3}` at `at`, and where it ends.
+    fn power_of_ten(&self, at: usize) -> Option<(String, usize)> {
+        let tokens =
+            std::iter::successors(token::next(self.source, at), |token| token::next(self.source, token.span.end));
+        let tokens: Vec<Token<'_>> = tokens.take(5).collect();
+        let (sign, number, close) = match tokens.as_slice() {
+            [hat, open, number, close, ..]
+                if hat.is_symbol("^") && open.kind == TokenKind::Open && close.kind == TokenKind::Close =>
+            {
+                ("", number, close)
+            }
+            [hat, open, minus, number, close]
+                if hat.is_symbol("^") && open.kind == TokenKind::Open && minus.is_symbol("-") =>
+            {
+                ("-", number, close)
+            }
+            _ => return None,
+        };
+        let is_integer = number.kind == TokenKind::Number && !number.text.contains('.');
+        (is_integer && close.kind == TokenKind::Close).then(|| (format!("{sign}{}", number.text), close.span.end))
+    }
+
+    fn function(&mut self, name: &'static str, token: &Token<'a>) {
+        let ten = [r"_{10}"].iter().find(|ten| self.source.get(self.at..).is_some_and(|rest| rest.starts_with(**ten)));
+        match ten {
+            Some(ten) if token.text == "log" => {
+                self.at += ten.len();
+                self.spelling.put("log10", Span::new(token.span.start, self.at), Piece::Word);
+            }
+            _ => self.spelling.put(name, token.span, Piece::Word),
+        }
+    }
+
+    /// `\quad` separates two equations of a row; elsewhere it is a blank.
+    fn wide(&mut self, token: &Token<'_>) {
+        if !self.is_list || !self.groups.is_outside() || self.end_position(token.span) {
+            return;
+        }
+        if self.row.has_equals && self.equation_follows() {
+            self.mark(";", token);
+            self.row.has_equals = false;
+        }
+    }
+
+    /// Whether a `=` comes before the next separator.
+    fn equation_follows(&self) -> bool {
+        let (mut at, mut depth) = (self.at, 0_usize);
+        while let Some(token) = token::next(self.source, at) {
+            at = token.span.end;
+            match (token.kind, token.text) {
+                (TokenKind::Open, _) | (TokenKind::Symbol, "(" | "[") => depth += 1,
+                (TokenKind::Close, _) | (TokenKind::Symbol, ")" | "]") => depth = depth.saturating_sub(1),
+                (TokenKind::Symbol, "=") if depth == 0 => return true,
+                (TokenKind::Symbol, "," | ";") if depth == 0 => return false,
+                (TokenKind::Command, "quad" | "qquad" | "end" | "]") => return false,
+                (TokenKind::Break | TokenKind::LineEnd | TokenKind::Dollars, _) => return false,
+                _ => {}
+            }
+        }
+        false
+    }
+
+    /// Whether the token before `token` is a whole number.
+    pub(super) fn follows_integer(&self) -> Option<Token<'a>> {
+        self.previous.filter(|token| token.kind == TokenKind::Number && !token.text.contains('.'))
+    }
+}

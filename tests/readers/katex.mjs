@@ -1,0 +1,18 @@
+// Renders every LaTeX block that trimline prints for the given specs; fails on what KaTeX does not read.
+// Usage: node katex.mjs TRIMLINE SPEC…
+import { execFileSync } from "node:child_process";
+import katex from "katex";
+
+const [trimline, ...specs] = process.argv.slice(2);
+let blocks = 0;
+for (const spec of specs) {
+  const run = (...options) => execFileSync(trimline, [...options, spec], { encoding: "utf8", maxBuffer: 1 << 26 });
+  const report = JSON.parse(run("check", "--explain", "--format", "json"));
+  const texts = [run("basis", "--format", "latex"), ...report.patches.flatMap((patch) => Object.values(patch.explanation.latex))];
+  for (const text of texts.filter((text) => text !== "")) {
+    katex.renderToString(text, { displayMode: true, strict: "error", throwOnError: true });
+    blocks += 1;
+  }
+}
+if (blocks < 2 * specs.length) throw new Error(`only ${blocks} blocks were rendered`);
+console.log(`${blocks} blocks of ${specs.length} specs rendered`);

@@ -1,0 +1,79 @@
+//! `fmt`, `check --explain` and `basis --format latex`.
+
+use serde_json::Value;
+
+use super::{Folder, status, text, trimline, trimline_reading};
+
+#[test]
+fn fmt_lays_files_out_in_place_and_says_nothing() {
+    let folder = Folder::new();
+    let spec = folder.spec("at u=0: S=[cos v,0,0],∂S/∂u=0\nat u = 1: S=0, ∂S/∂u =0");
+    let output = trimline(&["fmt", &spec]);
+    assert_eq!((status(&output), text(&output.stdout), text(&output.stderr)), (0, String::new(), String::new()));
+    let expected = "at u = 0: S = [cos v, 0, 0], ∂S/∂u = 0\nat u = 1: S = 0, ∂S/∂u = 0\n";
+    assert_eq!(std::fs::read_to_string(&spec).expect("the file"), expected);
+    assert_eq!(folder.files(), ["spec.trim"]);
+    assert_eq!(status(&trimline(&["fmt", "--check", &spec])), 0);
+}
+
+#[test]
+fn fmt_check_names_files_and_changes_none() {
+    let folder = Folder::new();
+    let before = "at u=0: S=[cos v,0,0],dS/du=0\nat u = 1: S=0, dS/du =0";
+    let spec = folder.spec(before);
+    let output = trimline(&["fmt", "--check", &spec]);
+    assert_eq!((status(&output), text(&output.stdout)), (1, format!("{spec}\n")));
+    assert_eq!(std::fs::read_to_string(&spec).expect("the file"), before);
+}
+
+#[test]
+fn fmt_prints_standard_input_in_the_wanted_alphabet() {
+    let output = trimline_reading("pde d4S/du4=0\nat u = 0: x = v", &["fmt", "--unicode", "-"]);
+    assert_eq!((status(&output), text(&output.stdout).as_str()), (0, "pde ∂⁴S/∂u⁴ = 0\nat u = 0: x = v\n"));
+    let output = trimline_reading("at u = 0: x = πt", &["fmt", "--ascii", "-"]);
+    assert_eq!(text(&output.stdout), "at u = 0: x = pi t\n");
+}
+
+#[test]
+fn fmt_of_a_faulty_file_changes_no_file() {
+    let folder = Folder::new();
+    let spec = folder.spec("at u=0: x=v");
+    let faulty = folder.path("faulty.trim").to_string_lossy().into_owned();
+    std::fs::write(&faulty, "at u = 0: x = +").expect("the folder can be written");
+    let output = trimline(&["fmt", &spec, &faulty]);
+    assert_eq!(status(&output), 1);
+    assert!(text(&output.stderr).contains("E0102"), "{}", text(&output.stderr));
+    assert_eq!(std::fs::read_to_string(&spec).expect("the file"), "at u=0: x=v");
+}
+
+#[test]
+fn check_explains_what_it_understood_in_both_notations() {
+    let folder = Folder::new();
+    let spec =
+        folder.spec("param a = 2\nlet s = a t\nat u = 0: S = [s cos v, 0, 0], dS/du = 0\nat u = 1: S = 0, dS/du = 0");
+    let output = trimline(&["check", "--explain", &spec]);
+    let shown = text(&output.stdout);
+    for expected in ["at u = 0:\n    S = [a t cos(v), 0, 0]", "param a = 2", r"a\, t\, \cos\left(v\right)", "passed"] {
+        assert!(shown.contains(expected), "{shown}");
+    }
+    let output = trimline(&["check", "--explain", "--format", "json", &spec]);
+    let report: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let explanation = &report["patches"][0]["explanation"];
+    assert_eq!(explanation["unicode"]["domain"], "domain u in [0, 1], v in [0, 2 π], t in [0, 1]");
+    for key in ["params", "equation", "domain", "constraints"] {
+        assert!(explanation["latex"][key].as_str().expect("a text").starts_with(r"\begin{aligned}"), "{explanation}");
+    }
+    let plain = trimline(&["check", "--format", "json", &spec]);
+    let report: Value = serde_json::from_slice(&plain.stdout).expect("JSON");
+    assert!(report["patches"][0].get("explanation").is_none());
+}
+
+#[test]
+fn basis_in_latex_is_one_environment_per_patch() {
+    let output = trimline(&["basis", "--format", "latex", "examples/eq19.trim"]);
+    let latex = text(&output.stdout);
+    assert_eq!(status(&output), 0);
+    assert!(latex.starts_with("\\begin{aligned}\nF_{1}(v, t) &= "), "{latex}");
+    assert!(latex.ends_with("\n\\end{aligned}\n"), "{latex}");
+    assert_eq!(status(&trimline(&["basis", "--format", "latex", "--closure", "examples/eq19.trim"])), 2);
+}

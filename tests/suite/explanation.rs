@@ -1,0 +1,110 @@
+//! What was understood, printed and read again; LaTeX for documents.
+
+use trimline::decompose::decompose;
+use trimline::expr::Notation;
+use trimline::limits::Limits;
+use trimline::problem::{Explanation, Problem};
+
+use crate::spec::{decomposition, examples, patch, problem, with_data};
+
+fn explained(problem: &Problem, notation: Notation) -> Explanation {
+    problem.explain(patch(problem), notation, &Limits::default()).expect("short")
+}
+
+fn basis(text: &str) -> String {
+    decomposition(text).to_text(Notation::Unicode, &Limits::default()).expect("short")
+}
+
+/// The terms of the equation as text.
+fn equation(problem: &Problem) -> Vec<String> {
+    let text = |id| problem.graph.text(id, Notation::Ascii, 1 << 16).expect("short");
+    let operator = &patch(problem).operator;
+    let terms = operator.terms.iter().map(|term| format!("{} {:?}", term.derivative, term.coefficient.map(text)));
+    terms.chain([format!("{:?}", operator.force.map(text))]).collect()
+}
+
+/// Further specs with what the examples lack: odd and mixed orders, vectors, quotients, forces, names of all kinds.
+const SPECS: &[&str] = &[
+    "param a = 2, k_1 = a/3 in [0, a], r_max = 1e-9, speed = 1e30
+pde [1, 2, a] ∂⁴S/∂u⁴ + a/2·∂³S/∂u∂v∂t - 3 S + (1 + v) ∂²S/∂u² - ∂S/∂t = [0, 0, t]
+domain u in [-1, 1/3], v in [0, k_1 π]
+at u = -1: S = [speed cos v, r_max, 0], ∂S/∂u = 0
+at u = 1/3: S = [v³, 2^(a v), 1 + t], ∂S/∂u = [e^-t, √(1 + v²), 1/(1 + v)]",
+    "param h' = 1, λ_0 = 2
+pde d6S/du6 - λ_0 d2S/dv2 = 0 with q = 3, r = q/7\n",
+];
+
+fn specs() -> Vec<String> {
+    let rest = "at u = 0: S = [h' cos v, 0, 0], dS/du = 0, d2S/du2 = 0\nat u = 1: S = [0, 0, q], dS/du = 0, d2S/du2 = [v, r, 0]";
+    let sixth =
+        SPECS[1].replace("= 0 with q", "+ q S/r = 0 with q") + &rest.replace(", q]", ", 0]").replace(", r,", ", 1,");
+    examples().into_iter().map(|(_, text)| text).chain([SPECS[0].to_owned(), sixth]).collect()
+}
+
+#[test]
+fn explanation_in_unicode_is_a_spec_of_the_same_problem() {
+    for text in specs() {
+        let first = problem(&text);
+        let again = explained(&first, Notation::Unicode).to_text();
+        assert_eq!(basis(&again), basis(&text), "{again}");
+        let second = problem(&again);
+        assert_eq!(equation(&first), equation(&second), "{again}");
+    }
+}
+
+#[test]
+fn explanation_in_latex_is_read_as_the_same_constraints_and_equation() {
+    for text in specs() {
+        let first = problem(&text);
+        let (unicode, latex) = (explained(&first, Notation::Unicode), explained(&first, Notation::Latex));
+        let pasted =
+            format!("{}\n{}\n{}\n{}\n", unicode.parameters, unicode.equation, unicode.domain, latex.constraints);
+        assert_eq!(basis(&pasted), basis(&text), "{pasted}");
+        let row = latex.equation.lines().nth(1).expect("a row").trim_end_matches([',', ' ', '\\']);
+        let with = unicode.equation.split_once("with").map_or(String::new(), |(_, with)| format!(" with {with}"));
+        let pasted =
+            format!("{}\npde $${row}$${with}\n{}\n{}\n", unicode.parameters, unicode.domain, unicode.constraints);
+        assert_eq!(equation(&problem(&pasted)), equation(&first), "{pasted}");
+    }
+}
+
+#[test]
+fn explanation_of_eq19_is_what_the_paper_prints() {
+    let problem = problem(&crate::spec::example("eq19"));
+    let unicode = explained(&problem, Notation::Unicode);
+    assert_eq!(
+        unicode.equation,
+        "pde β ∂⁴S/∂u⁴ + γ ∂⁴S/∂u²∂v² + λ ∂⁴S/∂v⁴ + ρ ∂²S/∂t² + η ∂S/∂t = 0
+    with β = 1, γ = 12.1, λ = 1, ρ = 1, η = 1"
+    );
+    assert_eq!(unicode.domain, "domain u in [0, 1], v in [0, 2 π], t in [0, 0.3]");
+    let latex = explained(&problem, Notation::Latex);
+    assert!(
+        latex.equation.contains(r"\gamma\, \frac{\partial^{4} \mathbf{S}}{\partial u^{2}\, \partial v^{2}}"),
+        "{latex:?}"
+    );
+    assert!(
+        latex.constraints.contains(r"\mathbf{S} &= \begin{bmatrix} a\, e^{t}\, \sin\left(v\right) \\"),
+        "{latex:?}"
+    );
+}
+
+#[test]
+fn decomposition_in_latex_states_every_function_coefficient_and_derivative() {
+    let problem = problem(&with_data("2 t cos v"));
+    let limits = Limits::default();
+    let latex = decompose(&problem, patch(&problem), &limits).expect("a basis").to_latex(&limits).expect("short");
+    let expected = r"\begin{aligned}
+F_{1}(v, t) &= t\, \cos\left(v\right) \\
+\left.\mathbf{S}\right|_{u = 0} &= \mathbf{b}_{1}\, F_{1} \\
+\mathbf{b}_{1} &= \begin{bmatrix} 2 \\ 0 \\ 0 \end{bmatrix} \\
+\left.\frac{\partial \mathbf{S}}{\partial u}\right|_{u = 0} &= \mathbf{0} \\
+\left.\mathbf{S}\right|_{u = 1} &= \mathbf{0} \\
+\left.\frac{\partial \mathbf{S}}{\partial u}\right|_{u = 1} &= \mathbf{0} \\
+\frac{\partial^{2} F_{1}}{\partial v^{2}} &= -t\, \cos\left(v\right) \\
+\frac{\partial^{4} F_{1}}{\partial v^{4}} &= t\, \cos\left(v\right) \\
+\frac{\partial F_{1}}{\partial t} &= \cos\left(v\right)
+\end{aligned}
+";
+    assert_eq!(latex, expected);
+}
