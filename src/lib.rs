@@ -40,6 +40,7 @@ pub mod diagnostic;
 pub mod eval;
 pub mod export;
 pub mod expr;
+pub mod kernels;
 pub mod limits;
 pub mod method;
 pub mod numeric;

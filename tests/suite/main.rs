@@ -16,6 +16,7 @@ mod documents;
 mod evaluators;
 mod exact;
 mod exports;
+mod kernels;
 mod language;
 mod meshes;
 mod polynomial;
