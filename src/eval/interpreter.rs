@@ -89,6 +89,12 @@ multiversion! {
                     compute(op.map(|operand| block(operand, uniform, samples, rows)), row);
                     give_back(rows, target, row);
                 }
+                Step::Accumulate { target, sum, factors, is_subtracted } => {
+                    let row = taken(rows, target);
+                    let [sum, a, b] = [sum, factors[0], factors[1]].map(|operand| block(operand, uniform, samples, rows));
+                    accumulate(row, sum, [a, b], is_subtracted);
+                    give_back(rows, target, row);
+                }
                 Step::Pair { pairing, targets: [first, second], argument } => {
                     let (sine, cosine) = (taken(rows, first), taken(rows, second));
                     pair(pairing, sine, cosine, block(argument, uniform, samples, rows));
@@ -201,6 +207,26 @@ fn pair(pairing: Pairing, first: &mut [f64], second: &mut [f64], a: Block<'_>) {
     match pairing {
         Pairing::SinCos => elementary::map_pair::<SinCos>(first, second, a),
         Pairing::SinhCosh => elementary::map_pair::<SinhCosh>(first, second, a),
+    }
+}
+
+/// `sum ± a * b`, rounded after the product and after the sum.
+#[inline(always)]
+fn accumulate(target: &mut [f64], sum: Block<'_>, factors: [Block<'_>; 2], is_subtracted: bool) {
+    // Taking the sign into a factor changes no rounding.
+    let signed = |a: f64| if is_subtracted { -a } else { a };
+    match (sum, factors) {
+        (Block::Each(sum), [Block::Same(a), Block::Each(b)] | [Block::Each(b), Block::Same(a)]) => {
+            let a = signed(a);
+            binary(target, Block::Each(sum), Block::Each(b), |sum, b| sum + a * b);
+        }
+        (Block::Each(sum), [Block::Each(a), Block::Each(b)]) => {
+            let lanes = target.iter_mut().zip(sum.iter().zip(a.iter().zip(b)));
+            lanes.for_each(|(target, (&sum, (&a, &b)))| *target = canonical(sum + signed(a) * b));
+        }
+        (Block::Same(sum), [a, b]) => binary(target, a, b, |a, b| sum + signed(a) * b),
+        // A product of uniform values is uniform and never absorbed.
+        (Block::Each(_), [Block::Same(_), Block::Same(_)]) => target.fill(f64::NAN),
     }
 }
 

@@ -34,6 +34,13 @@ pub(super) enum Step {
         target: usize,
         op: Op<Operand>,
     },
+    /// `sum + a * b`, or `sum - a * b`, with both roundings: one loop for two ops.
+    Accumulate {
+        target: usize,
+        sum: Operand,
+        factors: [Operand; 2],
+        is_subtracted: bool,
+    },
     Pair {
         pairing: Pairing,
         targets: [usize; 2],
@@ -88,28 +95,76 @@ fn pairing(op: Op) -> Option<(Pairing, OpId, usize)> {
     }
 }
 
-struct Allocation {
+/// Which products are the right operand of a sum or difference, of no other op, and no output.
+fn absorbed(program: &Program) -> Vec<bool> {
+    let mut uses = vec![0_usize; program.ops().len()];
+    for id in program.ops().iter().flat_map(|op| op.operands()).chain(program.output_ops().iter().copied()) {
+        if let Some(count) = uses.get_mut(id.index()) {
+            *count += 1;
+        }
+    }
+    let mut is_absorbed = vec![false; uses.len()];
+    for op in program.varying() {
+        if let Op::Add(_, term) | Op::Sub(_, term) = op
+            && term.index() >= program.uniform().len()
+            && matches!(program.ops().get(term.index()), Some(Op::Mul(..)))
+            && uses.get(term.index()) == Some(&1)
+            && let Some(mark) = is_absorbed.get_mut(term.index())
+        {
+            *mark = true;
+        }
+    }
+    is_absorbed
+}
+
+/// The sum, the factors of the absorbed product that is added to it, and whether it is subtracted instead.
+fn accumulation(program: &Program, is_absorbed: &[bool], op: Op) -> Option<(OpId, [OpId; 2], bool)> {
+    let (Op::Add(sum, term) | Op::Sub(sum, term)) = op else { return None };
+    match program.ops().get(term.index()) {
+        Some(&Op::Mul(a, b)) if is_absorbed.get(term.index()) == Some(&true) => {
+            Some((sum, [a, b], matches!(op, Op::Sub(..))))
+        }
+        _ => None,
+    }
+}
+
+/// What the step of an op reads.
+fn reads(program: &Program, is_absorbed: &[bool], op: Op) -> Vec<OpId> {
+    match accumulation(program, is_absorbed, op) {
+        Some((sum, [a, b], _)) => vec![sum, a, b],
+        None => op.operands().collect(),
+    }
+}
+
+struct Allocation<'a> {
+    program: &'a Program,
     /// Where each op is found; `None` if it has not been computed.
     places: Vec<Option<Operand>>,
-    /// The last op that reads each op; zero if none does.
+    /// The last op that reads each op; zero if none does. Products that are taken over by their sum read nothing.
     last_use: Vec<usize>,
     /// The first output that is this op.
     output_of: FxHashMap<usize, usize>,
     /// The ops that are the first and the second function of a pair.
     pairs: FxHashMap<(Pairing, OpId), [Option<usize>; 2]>,
+    /// The products that are computed by the one sum that reads them.
+    is_absorbed: Vec<bool>,
     outputs: usize,
     free: Vec<usize>,
     registers: usize,
     steps: Vec<Step>,
 }
 
-impl Allocation {
-    fn new(program: &Program) -> Allocation {
+impl Allocation<'_> {
+    fn new(program: &Program) -> Allocation<'_> {
         let uniform = program.uniform().len();
+        let is_absorbed = absorbed(program);
         let mut last_use = vec![0; program.ops().len()];
         let mut pairs: FxHashMap<_, [Option<usize>; 2]> = FxHashMap::default();
         for (id, &op) in program.ops().iter().enumerate().skip(uniform) {
-            for operand in op.operands() {
+            if is_absorbed.get(id) == Some(&true) {
+                continue;
+            }
+            for operand in reads(program, &is_absorbed, op) {
                 if let Some(last) = last_use.get_mut(operand.index()) {
                     *last = id;
                 }
@@ -126,7 +181,18 @@ impl Allocation {
         }
         let places = (0..program.ops().len()).map(|id| (id < uniform).then_some(Operand::Uniform(id))).collect();
         let (free, steps) = (Vec::new(), Vec::new());
-        Allocation { places, last_use, output_of, pairs, outputs: program.outputs(), free, registers: 0, steps }
+        Allocation {
+            program,
+            places,
+            last_use,
+            output_of,
+            pairs,
+            is_absorbed,
+            outputs: program.outputs(),
+            free,
+            registers: 0,
+            steps,
+        }
     }
 
     fn operand(&self, id: OpId) -> Operand {
@@ -135,6 +201,9 @@ impl Allocation {
 
     /// The step that computes op `id`, unless it came with the other of its pair.
     fn compute(&mut self, id: usize, op: Op) {
+        if self.is_absorbed.get(id) == Some(&true) {
+            return;
+        }
         if self.places.get(id).is_some_and(Option::is_some) {
             return self.release(id, op);
         }
@@ -148,6 +217,10 @@ impl Allocation {
         if let Some((pairing, argument, first, second)) = both {
             let targets = [first, second].map(|member| self.row_for(member));
             self.steps.push(Step::Pair { pairing, targets, argument: self.operand(argument) });
+        } else if let Some((sum, factors, is_subtracted)) = accumulation(self.program, &self.is_absorbed, op) {
+            let target = self.row_for(id);
+            let (sum, factors) = (self.operand(sum), factors.map(|factor| self.operand(factor)));
+            self.steps.push(Step::Accumulate { target, sum, factors, is_subtracted });
         } else {
             let target = self.row_for(id);
             self.steps.push(Step::Compute { target, op: op.map(|operand| self.operand(operand)) });
@@ -173,8 +246,9 @@ impl Allocation {
 
     /// Gives back the registers of the operands that op `id` is the last to read.
     fn release(&mut self, id: usize, op: Op) {
-        let mut dying: Vec<OpId> =
-            op.operands().filter(|operand| self.last_use.get(operand.index()) == Some(&id)).collect();
+        let mut dying = reads(self.program, &self.is_absorbed, op);
+        dying.retain(|operand| self.last_use.get(operand.index()) == Some(&id));
+        dying.sort_unstable();
         dying.dedup();
         for operand in dying {
             match self.operand(operand) {

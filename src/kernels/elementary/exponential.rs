@@ -17,6 +17,12 @@ const LARGEST: f64 = 708.0;
 /// From here on tanh is 1.
 const SATURATED: f64 = 20.0;
 
+/// Taylor series of `(sinh r - r) / r³` and `(cosh r - 1)`, over r², in r²; what they leave out is below 10^-18.
+const SINH: [f64; 6] =
+    [1.0 / 6.0, 1.0 / 120.0, 1.0 / 5040.0, 1.0 / 362_880.0, 1.0 / 39_916_800.0, 1.0 / 6_227_020_800.0];
+const COSH: [f64; 7] =
+    [0.5, 1.0 / 24.0, 1.0 / 720.0, 1.0 / 40_320.0, 1.0 / 3_628_800.0, 1.0 / 479_001_600.0, 1.0 / 87_178_291_200.0];
+
 const CURVATURE: [f64; 10] = [
     0.5,
     0.166_666_666_666_666_674_52,
@@ -49,15 +55,21 @@ struct Parts {
 
 #[inline(always)]
 fn parts(x: f64) -> Parts {
+    let (power, r, r_rest) = reduced(x);
+    let bend = (r * r).mul_add(polynomial(r, CURVATURE), r_rest.mul_add(r, r_rest));
+    let p = r + bend;
+    Parts { power, p, rest: (r - p) + bend }
+}
+
+/// 2^k, and r with what it is off by.
+#[inline(always)]
+fn reduced(x: f64) -> (f64, f64, f64) {
     let shifted = x.mul_add(LOG2_E, ROUNDER);
     let k = shifted - ROUNDER;
     let power = f64::from_bits((shifted.to_bits() << 52).wrapping_add(1.0_f64.to_bits()));
     let first = k.mul_add(-LN_2_FIRST, x);
     let r = k.mul_add(-LN_2_SECOND, first);
-    let r_rest = k.mul_add(-LN_2_SECOND, first - r);
-    let bend = (r * r).mul_add(polynomial(r, CURVATURE), r_rest.mul_add(r, r_rest));
-    let p = r + bend;
-    Parts { power, p, rest: (r - p) + bend }
+    (power, r, k.mul_add(-LN_2_SECOND, first - r))
 }
 
 /// `e^x - 1` for `x >= 0`, and what it is off by.
@@ -84,19 +96,21 @@ pub(super) fn cosh(x: f64) -> f64 {
     sinh_cosh(x).1
 }
 
-/// With `e = e^|x| - 1`: `sinh |x| = (e + e / (e + 1)) / 2`, which loses nothing where x is small.
+/// With `c = (2^k + 2^-k) / 2` and `d = (2^k - 2^-k) / 2`: `sinh |x| = c sinh r + d cosh r` and
+/// `cosh |x| = c cosh r + d sinh r`. No division, and nothing is lost where x is small, since d is then zero.
 #[inline(always)]
 pub(super) fn sinh_cosh(x: f64) -> (f64, f64) {
-    let parts = parts(x.abs());
-    let power = parts.power.mul_add(parts.p, parts.power);
-    let (e, rest) = minus_one(&parts);
-    let (divisor, divisor_rest) = sum(e, 1.0);
-    let inverse = 1.0 / divisor;
-    let quotient = e * inverse;
-    let remainder = quotient.mul_add(-divisor, e) + quotient.mul_add(-divisor_rest, rest);
-    let (twice, twice_rest) = sum(e, quotient);
-    let sinh = 0.5 * (twice + (twice_rest + remainder.mul_add(inverse, rest)));
-    (sinh.copysign(x), 0.5 * (power + 1.0 / power))
+    let (power, r, rest) = reduced(x.abs());
+    let inverse = f64::from_bits((2 * 1.0_f64.to_bits()).wrapping_sub(power.to_bits()));
+    let (half, half_inverse) = (0.5 * power, 0.5 * inverse);
+    let (c, d) = (half + half_inverse, half - half_inverse);
+    let (c_rest, d_rest) = ((half - c) + half_inverse, (half - d) - half_inverse);
+    let z = r * r;
+    let sinh = r + (r * z).mul_add(polynomial(z, SINH), rest);
+    let cosh_less_one = z * polynomial(z, COSH);
+    let sinh_x = d + sinh.mul_add(c, cosh_less_one.mul_add(d, d_rest));
+    let cosh_x = c + cosh_less_one.mul_add(c, sinh.mul_add(d, c_rest));
+    (sinh_x.copysign(x), cosh_x)
 }
 
 /// With `e = e^(2|x|) - 1`: `tanh |x| = e / (e + 2)`, divided with a rest.
