@@ -42,6 +42,7 @@ pub mod eval;
 pub mod export;
 pub mod expr;
 pub mod fit;
+pub mod kernels;
 pub mod limits;
 pub mod method;
 pub mod net;

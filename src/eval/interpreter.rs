@@ -1,42 +1,25 @@
 //! Runs a program op by op over blocks of samples.
 //!
-//! Input: a [`Program`]; output: an evaluator whose every step is a loop over a block, so that the cost of
-//! choosing an op is shared by [`BLOCK`] samples and the loops vectorise.
+//! Input: a [`Program`]; output: an evaluator whose every step is a loop over a block, so that the cost of choosing an
+//! op is shared by [`BLOCK`] samples and the loops run on whole vectors, with the functions of
+//! [`kernels`](crate::kernels).
 //!
-//! Invariant: a step never writes a register that it reads, because the register of a dead operand is released
-//! after the target has been chosen. Coordinates and uniform values are read where they are, not copied.
-//! The plain definition of an evaluator: the machine code is tested against it.
+//! Outputs are computed where they belong; coordinates and uniform values are read where they are. Every value is
+//! [`canonical`], whether it is an output or not, and functions with a kernel never see what they would treat
+//! differently. The plain definition of an evaluator: the machine code is tested against it.
 
 use std::sync::Arc;
 
 use crate::expr::{Function, Value, Variable};
+use crate::kernels::elementary::{self, Cos, Cosh, Exp, Ln, Sin, SinCos, Sinh, SinhCosh, Tan, Tanh};
+use crate::kernels::{InstructionSet, Rows, canonical, multiversion};
 
-use super::program::{Op, OpId, Program};
-use super::{EvalError, Evaluator, Samples, canonical, checked_points};
+use super::program::{Op, Program};
+use super::schedule::{Operand, Pairing, Schedule, Step};
+use super::{EvalError, Evaluator, Samples, checked_points};
 
-/// Samples a step treats at once: 2 KiB a register, so that a dozen live registers stay in the first-level cache.
+/// Samples a step treats at once: 2 KiB a row, so that a dozen live rows stay in the first-level cache.
 const BLOCK: usize = 256;
-
-/// Where a step finds an operand.
-#[derive(Debug, Clone, Copy)]
-enum Operand {
-    Uniform(usize),
-    Variable(Variable),
-    Register(usize),
-}
-
-#[derive(Debug, Clone, Copy)]
-enum Step {
-    Compute {
-        target: usize,
-        op: Op<Operand>,
-    },
-    /// Written as soon as it is known, so that outputs do not hold registers.
-    Store {
-        output: usize,
-        from: Operand,
-    },
-}
 
 /// An operand in one block.
 #[derive(Clone, Copy)]
@@ -48,39 +31,13 @@ enum Block<'a> {
 /// The evaluator that runs everywhere.
 pub(super) struct Interpreter {
     program: Arc<Program>,
-    steps: Vec<Step>,
-    registers: usize,
+    schedule: Schedule,
 }
 
 impl Interpreter {
     pub(super) fn new(program: Arc<Program>) -> Self {
-        let (steps, registers) = steps(&program);
-        Interpreter { program, steps, registers }
-    }
-
-    /// Runs every step on one block, and hands every output to `store`.
-    fn run(
-        &self,
-        uniform: &[f64],
-        samples: Samples<'_>,
-        registers: &mut [f64],
-        mut store: impl FnMut(usize, Block<'_>),
-    ) {
-        let length = samples.u.len();
-        for step in &self.steps {
-            match *step {
-                Step::Compute { target, op } => {
-                    let (before, rest) = registers.split_at_mut(target * length);
-                    let (block, after) = rest.split_at_mut(length);
-                    let inputs = Inputs { uniform, samples, before, after };
-                    compute(op.map(|operand| inputs.block(operand)), block);
-                }
-                Step::Store { output, from } => {
-                    let inputs = Inputs { uniform, samples, before: registers, after: &[] };
-                    store(output, inputs.block(from));
-                }
-            }
-        }
+        let schedule = Schedule::of(&program);
+        Interpreter { program, schedule }
     }
 }
 
@@ -91,107 +48,88 @@ impl Evaluator for Interpreter {
 
     fn evaluate(&self, params: &[f64], samples: Samples<'_>, values: &mut [f64]) -> Result<(), EvalError> {
         let points = checked_points(&self.program, params, samples, values)?;
+        if points == 0 {
+            return Ok(());
+        }
+        let set = InstructionSet::best();
         let uniform = uniform_values(&self.program, params);
-        let mut registers = vec![0.0; self.registers * points.min(BLOCK)];
+        let mut registers = Rows::zeros(self.schedule.registers(), points.min(BLOCK));
+        let mut outputs: Vec<&mut [f64]> = values.chunks_mut(points).collect();
+        let count = outputs.len();
+        let mut rows: Vec<&mut [f64]> = Vec::with_capacity(count + self.schedule.registers());
+        rows.resize_with(count, Default::default);
+        rows.extend(registers.iter_mut());
         let blocks = samples.u.chunks(BLOCK).zip(samples.v.chunks(BLOCK)).zip(samples.t.chunks(BLOCK));
-        for (index, ((u, v), t)) in blocks.enumerate() {
-            self.run(&uniform, Samples { u, v, t }, &mut registers, |output, block| {
-                let start = output * points + index * BLOCK;
-                let row = values.get_mut(start..start + u.len()).expect("values are outputs times points long");
-                match block {
-                    Block::Same(value) => row.fill(canonical(value)),
-                    Block::Each(block) => row.iter_mut().zip(block).for_each(|(value, &x)| *value = canonical(x)),
-                }
-            });
+        for ((u, v), t) in blocks {
+            let (now, registers) = rows.split_at_mut(count);
+            for (row, output) in now.iter_mut().zip(&mut outputs) {
+                (*row, *output) = std::mem::take(output).split_at_mut_checked(u.len()).unwrap_or_default();
+            }
+            registers.iter_mut().for_each(|register| shorten(register, u.len()));
+            run(set, self.schedule.steps(), &uniform, Samples { u, v, t }, &mut rows);
         }
         Ok(())
     }
 }
 
-/// Everything a step may read: all registers but its target, which lies between `before` and `after`.
-struct Inputs<'a> {
-    uniform: &'a [f64],
-    samples: Samples<'a>,
-    before: &'a [f64],
-    after: &'a [f64],
+/// Cuts a register to `length`: only the last block is shorter than those before.
+fn shorten(row: &mut &mut [f64], length: usize) {
+    if let Some((short, _)) = std::mem::take(row).split_at_mut_checked(length) {
+        *row = short;
+    }
 }
 
-impl<'a> Inputs<'a> {
-    fn block(&self, operand: Operand) -> Block<'a> {
-        match operand {
-            Operand::Uniform(index) => Block::Same(*self.uniform.get(index).expect("every uniform op has a value")),
-            Operand::Variable(Variable::U) => Block::Each(self.samples.u),
-            Operand::Variable(Variable::V) => Block::Each(self.samples.v),
-            Operand::Variable(Variable::T) => Block::Each(self.samples.t),
-            Operand::Register(index) => {
-                let length = self.samples.u.len();
-                let start = index * length;
-                let register = if start < self.before.len() {
-                    self.before.get(start..start + length)
-                } else {
-                    // The target, of one register's length, is left out.
-                    let start = start - self.before.len() - length;
-                    self.after.get(start..start + length)
-                };
-                Block::Each(register.expect("an operand is in a register other than the target"))
+multiversion! {
+    /// Runs every step on one block.
+    fn run(steps: &[Step], uniform: &[f64], samples: Samples<'_>, rows: &mut [&mut [f64]]) {
+        for step in steps {
+            match *step {
+                Step::Compute { target, op } => {
+                    let row = taken(rows, target);
+                    compute(op.map(|operand| block(operand, uniform, samples, rows)), row);
+                    give_back(rows, target, row);
+                }
+                Step::Accumulate { target, sum, factors, is_subtracted } => {
+                    let row = taken(rows, target);
+                    let [sum, a, b] = [sum, factors[0], factors[1]].map(|operand| block(operand, uniform, samples, rows));
+                    accumulate(row, sum, [a, b], is_subtracted);
+                    give_back(rows, target, row);
+                }
+                Step::Pair { pairing, targets: [first, second], argument } => {
+                    let (sine, cosine) = (taken(rows, first), taken(rows, second));
+                    pair(pairing, sine, cosine, block(argument, uniform, samples, rows));
+                    give_back(rows, first, sine);
+                    give_back(rows, second, cosine);
+                }
+                Step::Copy { target, from } => {
+                    let row = taken(rows, target);
+                    unary(row, block(from, uniform, samples, rows), |value| value);
+                    give_back(rows, target, row);
+                }
             }
         }
     }
 }
 
-/// The steps of a program and the number of registers they use.
-fn steps(program: &Program) -> (Vec<Step>, usize) {
-    let varying = || program.varying().iter().enumerate().map(|(index, &op)| (program.uniform().len() + index, op));
-    let mut last_use = vec![0; program.ops().len()];
-    for (id, op) in varying() {
-        for operand in op.operands() {
-            if let Some(last) = last_use.get_mut(operand.index()) {
-                *last = id;
-            }
-        }
-    }
-    let mut outputs: Vec<(OpId, usize)> = program.output_ops().iter().copied().zip(0..).collect();
-    outputs.sort_unstable();
-    let mut outputs = outputs.into_iter().peekable();
-    let mut places: Vec<Operand> = (0..program.uniform().len()).map(Operand::Uniform).collect();
-    let mut steps: Vec<Step> = Vec::new();
-    while let Some((id, output)) = outputs.next_if(|(id, _)| id.index() < places.len()) {
-        steps.push(Step::Store { output, from: Operand::Uniform(id.index()) });
-    }
-    let (mut free, mut registers) = (Vec::new(), 0);
-    for (id, op) in varying() {
-        let place_of = |operand: OpId| *places.get(operand.index()).expect("operands come before their op");
-        let place = if let Op::Variable(variable) = op {
-            Operand::Variable(variable)
-        } else {
-            let target = free.pop().unwrap_or_else(|| {
-                registers += 1;
-                registers - 1
-            });
-            steps.push(Step::Compute { target, op: op.map(place_of) });
-            Operand::Register(target)
-        };
-        let mut dying: Vec<OpId> = op.operands().filter(|operand| last_use.get(operand.index()) == Some(&id)).collect();
-        dying.dedup();
-        free.extend(dying.into_iter().map(place_of).filter_map(Operand::register));
-        places.push(place);
-        while let Some((_, output)) = outputs.next_if(|(output, _)| output.index() == id) {
-            steps.push(Step::Store { output, from: place });
-        }
-        // An output that nothing else reads is done with once it is stored.
-        if last_use.get(id) == Some(&0) {
-            free.extend(place.register());
-        }
-    }
-    (steps, registers)
+/// The row to be written: nothing reads it meanwhile.
+#[inline(always)]
+fn taken<'a>(rows: &mut [&'a mut [f64]], index: usize) -> &'a mut [f64] {
+    std::mem::take(rows.get_mut(index).expect("the schedule counts its rows"))
 }
 
-impl Operand {
-    fn register(self) -> Option<usize> {
-        match self {
-            Operand::Register(register) => Some(register),
-            Operand::Uniform(_) | Operand::Variable(_) => None,
-        }
+#[inline(always)]
+fn give_back<'a>(rows: &mut [&'a mut [f64]], index: usize, row: &'a mut [f64]) {
+    *rows.get_mut(index).expect("the schedule counts its rows") = row;
+}
+
+#[inline(always)]
+fn block<'a>(operand: Operand, uniform: &[f64], samples: Samples<'a>, rows: &'a [&mut [f64]]) -> Block<'a> {
+    match operand {
+        Operand::Uniform(index) => Block::Same(*uniform.get(index).expect("every uniform op has a value")),
+        Operand::Variable(Variable::U) => Block::Each(samples.u),
+        Operand::Variable(Variable::V) => Block::Each(samples.v),
+        Operand::Variable(Variable::T) => Block::Each(samples.t),
+        Operand::Row(index) => Block::Each(rows.get(index).expect("the schedule counts its rows")),
     }
 }
 
@@ -218,9 +156,10 @@ fn uniform_values(program: &Program, params: &[f64]) -> Vec<f64> {
 }
 
 /// One op over a block.
+#[inline(always)]
 fn compute(op: Op<Block<'_>>, target: &mut [f64]) {
     match op {
-        // Read in place, never computed: see `steps`.
+        // Read in place, never computed: see `Schedule`.
         Op::Constant(_) | Op::Parameter(_) | Op::Variable(_) => {}
         Op::Neg(a) => unary(target, a, |a| -a),
         Op::Add(a, b) => binary(target, a, b, |a, b| a + b),
@@ -229,14 +168,31 @@ fn compute(op: Op<Block<'_>>, target: &mut [f64]) {
         Op::Div(a, b) => binary(target, a, b, |a, b| a / b),
         // Correctly rounded by IEEE 754, so the same from the hardware as from libm.
         Op::Sqrt(a) => unary(target, a, f64::sqrt),
-        Op::Call1(function, a) => match function.row().value {
-            Value::Unary(f) => unary(target, a, f),
-            Value::Binary(_) => target.fill(f64::NAN),
-        },
+        Op::Call1(function, a) => call1(function, target, a),
         Op::Call2(function, a, b) => call2(function, target, a, b),
     }
 }
 
+/// A function of one argument: by its kernel if it has one, else lane by lane.
+#[inline(always)]
+fn call1(function: Function, target: &mut [f64], a: Block<'_>) {
+    match (function, a) {
+        (Function::Sin, Block::Each(a)) => elementary::map::<Sin>(target, a),
+        (Function::Cos, Block::Each(a)) => elementary::map::<Cos>(target, a),
+        (Function::Tan, Block::Each(a)) => elementary::map::<Tan>(target, a),
+        (Function::Exp, Block::Each(a)) => elementary::map::<Exp>(target, a),
+        (Function::Sinh, Block::Each(a)) => elementary::map::<Sinh>(target, a),
+        (Function::Cosh, Block::Each(a)) => elementary::map::<Cosh>(target, a),
+        (Function::Tanh, Block::Each(a)) => elementary::map::<Tanh>(target, a),
+        (Function::Ln, Block::Each(a)) => elementary::map::<Ln>(target, a),
+        _ => match function.row().value {
+            Value::Unary(f) => unary(target, a, f),
+            Value::Binary(_) => target.fill(f64::NAN),
+        },
+    }
+}
+
+#[inline(always)]
 fn call2(function: Function, target: &mut [f64], a: Block<'_>, b: Block<'_>) {
     match function.row().value {
         Value::Unary(_) => target.fill(f64::NAN),
@@ -244,14 +200,47 @@ fn call2(function: Function, target: &mut [f64], a: Block<'_>, b: Block<'_>) {
     }
 }
 
-fn unary(target: &mut [f64], a: Block<'_>, f: impl Fn(f64) -> f64) {
-    match a {
-        Block::Same(a) => target.fill(f(a)),
-        Block::Each(a) => target.iter_mut().zip(a).for_each(|(target, &a)| *target = f(a)),
+/// Two functions of one argument, which varies: else both would be uniform.
+#[inline(always)]
+fn pair(pairing: Pairing, first: &mut [f64], second: &mut [f64], a: Block<'_>) {
+    let Block::Each(a) = a else { return };
+    match pairing {
+        Pairing::SinCos => elementary::map_pair::<SinCos>(first, second, a),
+        Pairing::SinhCosh => elementary::map_pair::<SinhCosh>(first, second, a),
     }
 }
 
+/// `sum ± a * b`, rounded after the product and after the sum.
+#[inline(always)]
+fn accumulate(target: &mut [f64], sum: Block<'_>, factors: [Block<'_>; 2], is_subtracted: bool) {
+    // Taking the sign into a factor changes no rounding.
+    let signed = |a: f64| if is_subtracted { -a } else { a };
+    match (sum, factors) {
+        (Block::Each(sum), [Block::Same(a), Block::Each(b)] | [Block::Each(b), Block::Same(a)]) => {
+            let a = signed(a);
+            binary(target, Block::Each(sum), Block::Each(b), |sum, b| sum + a * b);
+        }
+        (Block::Each(sum), [Block::Each(a), Block::Each(b)]) => {
+            let lanes = target.iter_mut().zip(sum.iter().zip(a.iter().zip(b)));
+            lanes.for_each(|(target, (&sum, (&a, &b)))| *target = canonical(sum + signed(a) * b));
+        }
+        (Block::Same(sum), [a, b]) => binary(target, a, b, |a, b| sum + signed(a) * b),
+        // A product of uniform values is uniform and never absorbed.
+        (Block::Each(_), [Block::Same(_), Block::Same(_)]) => target.fill(f64::NAN),
+    }
+}
+
+#[inline(always)]
+fn unary(target: &mut [f64], a: Block<'_>, f: impl Fn(f64) -> f64) {
+    match a {
+        Block::Same(a) => target.fill(canonical(f(a))),
+        Block::Each(a) => target.iter_mut().zip(a).for_each(|(target, &a)| *target = canonical(f(a))),
+    }
+}
+
+#[inline(always)]
 fn binary(target: &mut [f64], a: Block<'_>, b: Block<'_>, f: impl Fn(f64, f64) -> f64) {
+    let f = |a, b| canonical(f(a, b));
     match (a, b) {
         (Block::Same(a), Block::Same(b)) => target.fill(f(a, b)),
         (Block::Same(a), Block::Each(b)) => target.iter_mut().zip(b).for_each(|(target, &b)| *target = f(a, b)),

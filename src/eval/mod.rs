@@ -12,6 +12,7 @@ mod interpreter;
 #[cfg(feature = "jit")]
 mod jit;
 mod program;
+mod schedule;
 
 use std::sync::Arc;
 
@@ -143,17 +144,6 @@ fn checked_points(program: &Program, params: &[f64], samples: Samples<'_>, value
         return Err(EvalError::MissingParameters { expected: program.symbols(), found: params.len() });
     }
     Ok(u)
-}
-
-/// `value`, with every NaN made the same one: arithmetic does not define which NaN it returns.
-///
-/// Decided on the bits. Optimisers take `if value.is_nan() { f64::NAN } else { value }` for `value` when they see
-/// the arithmetic that made it, since that may return any NaN.
-fn canonical(value: f64) -> f64 {
-    const WITHOUT_SIGN: u64 = u64::MAX >> 1;
-    let bits = value.to_bits();
-    let is_nan = bits & WITHOUT_SIGN > f64::INFINITY.to_bits();
-    f64::from_bits(if is_nan { f64::NAN.to_bits() } else { bits })
 }
 
 #[cfg(test)]

@@ -1,7 +1,10 @@
 //! THE operator table: one row per function decides its name, arity, value, derivative and symmetry.
 //!
 //! Readers, printers, evaluators and tests all iterate [`Function::ALL`]; a new function is one row here.
-//! Values come from `libm`, never from the platform, so that every machine and both evaluators agree.
+//! Values come from [`kernels`](crate::kernels) and from `libm`, never from the platform, so that every machine and
+//! both evaluators agree.
+
+use crate::kernels::elementary;
 
 use super::graph::{ExprId, Graph};
 use super::number::Number;
@@ -71,9 +74,9 @@ macro_rules! functions {
 }
 
 functions! {
-    Sin   "sin"   r"\sin"   Odd     Unary(libm::sin)   |g, a, _| Some(g.call(Function::Cos, a));
-    Cos   "cos"   r"\cos"   Even    Unary(libm::cos)   |g, a, _| { let s = g.call(Function::Sin, a); Some(g.neg(s)) };
-    Tan   "tan"   r"\tan"   Odd     Unary(libm::tan)   |g, a, _| Some(one_plus_square(g, Function::Tan, a));
+    Sin   "sin"   r"\sin"   Odd     Unary(elementary::sin)   |g, a, _| Some(g.call(Function::Cos, a));
+    Cos   "cos"   r"\cos"   Even    Unary(elementary::cos)   |g, a, _| { let s = g.call(Function::Sin, a); Some(g.neg(s)) };
+    Tan   "tan"   r"\tan"   Odd     Unary(elementary::tan)   |g, a, _| Some(one_plus_square(g, Function::Tan, a));
     Cot   "cot"   r"\cot"   Odd     Unary(cot)         |g, a, _| { let s = one_plus_square(g, Function::Cot, a); Some(g.neg(s)) };
     Sec   "sec"   r"\sec"   Even    Unary(sec)         |g, a, _| Some(product_of_calls(g, Function::Sec, Function::Tan, a));
     Csc   "csc"   r"\csc"   Odd     Unary(csc)         |g, a, _| { let p = product_of_calls(g, Function::Csc, Function::Cot, a); Some(g.neg(p)) };
@@ -81,14 +84,14 @@ functions! {
     Acos  "acos"  r"\arccos" Neither Unary(libm::acos) |g, a, _| { let d = quadratic(g, 1, -1, a); let r = inverse_root(g, d); Some(g.neg(r)) };
     Atan  "atan"  r"\arctan" Odd    Unary(libm::atan)  |g, a, _| { let d = quadratic(g, 1, 1, a); Some(g.inverse(d)) };
     Atan2 "atan2" r"\operatorname{atan2}" Neither Binary(libm::atan2) atan2_partial;
-    Sinh  "sinh"  r"\sinh"  Odd     Unary(libm::sinh)  |g, a, _| Some(g.call(Function::Cosh, a));
-    Cosh  "cosh"  r"\cosh"  Even    Unary(libm::cosh)  |g, a, _| Some(g.call(Function::Sinh, a));
-    Tanh  "tanh"  r"\tanh"  Odd     Unary(libm::tanh)  |g, a, _| { let f = g.call(Function::Tanh, a); Some(quadratic(g, 1, -1, &[f])) };
+    Sinh  "sinh"  r"\sinh"  Odd     Unary(elementary::sinh)  |g, a, _| Some(g.call(Function::Cosh, a));
+    Cosh  "cosh"  r"\cosh"  Even    Unary(elementary::cosh)  |g, a, _| Some(g.call(Function::Sinh, a));
+    Tanh  "tanh"  r"\tanh"  Odd     Unary(elementary::tanh)  |g, a, _| { let f = g.call(Function::Tanh, a); Some(quadratic(g, 1, -1, &[f])) };
     Asinh "asinh" r"\operatorname{arsinh}" Odd Unary(libm::asinh) |g, a, _| { let d = quadratic(g, 1, 1, a); Some(inverse_root(g, d)) };
     Acosh "acosh" r"\operatorname{arcosh}" Neither Unary(libm::acosh) acosh_partial;
     Atanh "atanh" r"\operatorname{artanh}" Odd Unary(libm::atanh) |g, a, _| { let d = quadratic(g, 1, -1, a); Some(g.inverse(d)) };
-    Exp   "exp"   r"\exp"   Neither Unary(libm::exp)   |g, a, _| Some(g.call(Function::Exp, a));
-    Ln    "ln"    r"\ln"    Neither Unary(libm::log)   |g, a, _| first(a).map(|x| g.inverse(x));
+    Exp   "exp"   r"\exp"   Neither Unary(elementary::exp)   |g, a, _| Some(g.call(Function::Exp, a));
+    Ln    "ln"    r"\ln"    Neither Unary(elementary::ln)  |g, a, _| first(a).map(|x| g.inverse(x));
     Log10 "log10" r"\log_{10}" Neither Unary(libm::log10) log10_partial;
     Cbrt  "cbrt"  r"\operatorname{cbrt}" Odd Unary(libm::cbrt) cbrt_partial;
     Abs   "abs"   r"\operatorname{abs}" Even Unary(f64::abs) |_, _, _| None;
@@ -130,15 +133,15 @@ impl Function {
 }
 
 fn cot(x: f64) -> f64 {
-    1.0 / libm::tan(x)
+    1.0 / elementary::tan(x)
 }
 
 fn sec(x: f64) -> f64 {
-    1.0 / libm::cos(x)
+    1.0 / elementary::cos(x)
 }
 
 fn csc(x: f64) -> f64 {
-    1.0 / libm::sin(x)
+    1.0 / elementary::sin(x)
 }
 
 /// -1, 0 or 1; zero keeps its sign, NaN stays NaN.

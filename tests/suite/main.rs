@@ -22,6 +22,7 @@ mod exports;
 mod fitting;
 mod formatting;
 mod fourier;
+mod kernels;
 mod language;
 mod latex;
 mod meshes;
