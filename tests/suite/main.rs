@@ -6,6 +6,7 @@
 mod accuracy;
 mod analytic;
 mod architecture;
+mod choice;
 #[cfg(feature = "cli")]
 mod cli;
 mod decompositions;
