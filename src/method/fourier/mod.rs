@@ -1,5 +1,5 @@
 //! Fourier series along v: any boundary data that are periodic over the range of v, for equations with constant
-//! coefficients (Gonzalez Castro, Ugail, Willis and Sheng 2006, corrected; docs/methods.md, F1 to F4).
+//! coefficients (González Castro, Ugail, Willis and Palmer 2006, corrected; docs/methods.md, F1 to F4).
 //!
 //! Each wave number is a problem of its own, solved exactly: by the equation's own exponentials where it is
 //! `(∂²/∂u² + a² ∂²/∂v²)^m S = 0`, by [`exact`](super::exact) otherwise, for which a truncated series is a problem with
