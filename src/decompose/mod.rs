@@ -46,8 +46,11 @@ pub struct BasisFunction {
     pub expr: ExprId,
     /// The boundary expression it was first found in.
     pub origin: Option<Span>,
-    /// Derivatives in v and t, those of [`PdeOperator::basis_derivatives`](crate::problem::PdeOperator::basis_derivatives).
+    /// Derivatives in v and t, those of [`PdeOperator::basis_derivatives`](crate::problem::PdeOperator::basis_derivatives)
+    /// that exist.
     pub derivatives: Vec<(Derivative, ExprId)>,
+    /// Why one of them does not; a problem for methods that take it.
+    pub fault: Option<Diagnostic>,
 }
 
 /// Decomposes the boundary data of `patch`, which belongs to `problem`.
@@ -55,8 +58,7 @@ pub struct BasisFunction {
 /// Cost: the number of monomials of the expanded data, which is bounded.
 ///
 /// # Errors
-/// [`Code::LimitReached`] when an expansion or the basis grows past its limit; [`Code::NotDifferentiable`]
-/// when the equation needs a derivative that a basis function does not have. Both name the function and its place.
+/// [`Code::LimitReached`] when an expansion or the basis grows past its limit, with the function and its place.
 pub fn decompose(problem: &Problem, patch: &Patch, limits: &Limits) -> Result<Decomposition, Diagnostic> {
     let mut graph = problem.graph.clone();
     let zero = graph.integer(0);
@@ -88,11 +90,15 @@ pub fn decompose(problem: &Problem, patch: &Patch, limits: &Limits) -> Result<De
     let mut basis = Vec::with_capacity(rows.len());
     for (&expr, (origin, _)) in &rows {
         let mut derivatives = Vec::with_capacity(wanted.len());
+        let mut fault = None;
         for &orders in &wanted {
-            let derivative = bounded_derivative(&mut graph, expr, orders, limits, *origin)?;
-            derivatives.push((orders, derivative));
+            match bounded_derivative(&mut graph, expr, orders, limits, *origin) {
+                Ok(derivative) => derivatives.push((orders, derivative)),
+                Err(finding) if finding.code == Code::NotDifferentiable => fault = fault.or(Some(finding)),
+                Err(finding) => return Err(finding),
+            }
         }
-        basis.push(BasisFunction { expr, origin: *origin, derivatives });
+        basis.push(BasisFunction { expr, origin: *origin, derivatives, fault });
     }
     let coefficients = (0..patch.conditions.len())
         .map(|condition| rows.values().map(|(_, each)| each.get(condition).copied().unwrap_or([zero; 3])).collect())
@@ -116,6 +122,14 @@ impl Decomposition {
         let leading_vanish = terms.iter().filter(|term| term.derivative.u == order).all(|term| vanishes(&term));
         let found = terms.iter().filter(vanishes).map(|term| term.derivative);
         found.filter(|derivative| derivative.u < order || !leading_vanish).collect()
+    }
+
+    /// Refuses a basis function without a derivative that the patch's equation takes.
+    ///
+    /// # Errors
+    /// [`Code::NotDifferentiable`], with the function's place.
+    pub fn check_differentiable(&self) -> Result<(), Diagnostic> {
+        self.basis.iter().find_map(|function| function.fault.clone()).map_or(Ok(()), Err)
     }
 
     /// Whether [`Decomposition::operator`] is the equation for these values of the params.

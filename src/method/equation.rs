@@ -76,6 +76,7 @@ impl Equation {
     /// [`Code::NotDifferentiable`] when a derivative in t that the solution needs does not exist,
     /// [`Code::LimitReached`] when it grows too large.
     pub fn compile(decomposition: &Decomposition, options: &Options) -> Result<Equation, Diagnostic> {
+        decomposition.check_differentiable()?;
         let backend = options.backend;
         let orders_in_t = decomposition.patch.operator.order_in_t();
         let mut graph = decomposition.graph.clone();

@@ -6,17 +6,18 @@
 
 use nalgebra::DMatrix;
 
-/// The polynomials ξ_i, as coefficients of powers of a shifted and scaled variable.
+/// The polynomials ξ_i, as coefficients of powers of a variable y that runs from -1 to 1 between the outermost
+/// positions: powers of one from 0 to 1 need larger coefficients, which lose a digit or two.
 #[derive(Debug, Clone)]
 pub struct CardinalPolynomials {
-    /// Row i holds the coefficients of ξ_i in powers of `(x - origin) / scale`.
+    /// Row i holds the coefficients of ξ_i in powers of y.
     coefficients: Vec<Vec<f64>>,
-    origin: f64,
-    scale: f64,
+    low: f64,
+    high: f64,
 }
 
 /// Below this ratio of smallest to largest singular value the functionals count as dependent: with positions
-/// scaled to [0, 1] and at most a handful of them, independent ones stay many orders above it.
+/// scaled to [-1, 1] and at most a handful of them, independent ones stay many orders above it.
 const DEPENDENT: f64 = 1e-12;
 
 impl CardinalPolynomials {
@@ -28,26 +29,41 @@ impl CardinalPolynomials {
         let count = functionals.len();
         let low = functionals.iter().map(|(x, _)| *x).fold(f64::INFINITY, f64::min);
         let high = functionals.iter().map(|(x, _)| *x).fold(f64::NEG_INFINITY, f64::max);
-        let scale = if high > low { high - low } else { 1.0 };
-        if count == 0 || !low.is_finite() || !scale.is_finite() {
+        // A single position is in the middle of an interval of length 2.
+        let (low, high) = if high > low { (low, high) } else { (low - 1.0, low + 1.0) };
+        if count == 0 || !low.is_finite() || !(high - low).is_finite() {
             return None;
         }
-        // Row i: the functional i of each power, in the scaled variable.
+        let mut polynomials = CardinalPolynomials { coefficients: Vec::new(), low, high };
+        // Row i: the functional i of each power of y.
         let matrix = DMatrix::from_fn(count, count, |row, power| {
             let (x, order) = functionals.get(row).copied().unwrap_or_default();
-            derivative_of_power(power, order, (x - low) / scale)
+            derivative_of_power(power, order, polynomials.scaled(x))
         });
         let singular = matrix.clone().try_svd(false, false, f64::EPSILON, 500)?.singular_values;
         if singular.min() <= DEPENDENT * singular.max() {
             return None;
         }
-        let inverse = matrix.try_inverse()?;
+        let identity = DMatrix::identity(count, count);
+        let factorised = matrix.clone().full_piv_lu();
+        let mut inverse = factorised.solve(&identity)?;
+        inverse += factorised.solve(&(identity - &matrix * &inverse))?;
         let coefficients = functionals.iter().enumerate().map(|(index, (_, order))| {
-            // A derivative of order k in x is scale^-k times the one in the scaled variable.
-            let factor = scale.powi(i32::try_from(*order).unwrap_or(0));
+            let factor = 1.0 / polynomials.chain(*order);
             inverse.column(index).iter().map(|coefficient| factor * rounded(*coefficient)).collect()
         });
-        Some(CardinalPolynomials { coefficients: coefficients.collect(), origin: low, scale })
+        polynomials.coefficients = coefficients.collect();
+        Some(polynomials)
+    }
+
+    /// y, exactly -1 and 1 at the outermost positions.
+    fn scaled(&self, x: f64) -> f64 {
+        ((x - self.low) - (self.high - x)) / (self.high - self.low)
+    }
+
+    /// What a derivative of order `order` in y is multiplied by to be one in x.
+    fn chain(&self, order: usize) -> f64 {
+        (2.0 / (self.high - self.low)).powi(i32::try_from(order).unwrap_or(i32::MAX))
     }
 
     /// The number of polynomials.
@@ -65,20 +81,21 @@ impl CardinalPolynomials {
     /// The derivative of order `order` of every ξ_i at `x`.
     #[must_use]
     pub fn derivatives(&self, order: usize, x: f64) -> Vec<f64> {
-        let x = (x - self.origin) / self.scale;
-        let factor = self.scale.powi(-i32::try_from(order).unwrap_or(0));
+        let y = self.scaled(x);
+        let factor = self.chain(order);
         let value = |coefficients: &Vec<f64>| {
             let terms = coefficients.iter().enumerate().skip(order).rev();
-            factor * terms.fold(0.0, |sum, (power, coefficient)| sum * x + coefficient * falling(power, order))
+            factor * terms.fold(0.0, |sum, (power, coefficient)| sum * y + coefficient * falling(power, order))
         };
         self.coefficients.iter().map(value).collect()
     }
 }
 
-/// The inverse of a matrix of small integers, the usual case, has integer entries up to rounding.
+/// Positions and derivatives at both ends, the usual case, have coefficients that are multiples of a power of 1/2 up
+/// to rounding: of 1/4 for two conditions at each end, of 1/16 for three, of 1/32 for four.
 fn rounded(coefficient: f64) -> f64 {
-    let nearest = coefficient.round();
-    // 64 rounding errors: far more than a 6 x 6 inverse makes, far less than any true fraction differs.
+    let nearest = (coefficient * 64.0).round() / 64.0;
+    // 64 rounding errors: far more than a 6 x 6 inverse makes, far less than any other fraction differs.
     if (coefficient - nearest).abs() <= 64.0 * f64::EPSILON * nearest.abs().max(1.0) { nearest } else { coefficient }
 }
 

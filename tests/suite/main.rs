@@ -7,6 +7,7 @@ mod accuracy;
 mod analytic;
 mod architecture;
 mod bspline;
+mod choice;
 #[cfg(feature = "cli")]
 mod cli;
 mod decompositions;

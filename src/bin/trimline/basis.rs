@@ -83,6 +83,7 @@ pub fn run(arguments: &Arguments, _terminal: &Terminal) -> Outcome {
     let mut patches = Vec::new();
     for patch in &spec.patches {
         let decomposition = spec.decompose(patch)?;
+        decomposition.check_differentiable().map_err(|finding| spec.fault(finding))?;
         match arguments.format {
             Format::Text => {
                 let text = decomposition.to_text(Notation::Unicode, &spec.limits);

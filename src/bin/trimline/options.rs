@@ -122,7 +122,7 @@ fn method_help() -> String {
     let rows = METHODS.iter().map(|method| format!("  {:12} {}", method.name(), method.description()));
     let rows: Vec<String> = rows.collect();
     format!(
-        "The solution method, instead of the spec's:\n  auto         the first that accepts the problem\n{}",
+        "The solution method, instead of the spec's:\n  auto         the first of exact, fourier and legendre that suits the problem\n{}",
         rows.join("\n")
     )
 }

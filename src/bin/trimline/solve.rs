@@ -45,6 +45,7 @@ struct PatchSolution {
     pde_residual: f64,
     amplification: Option<f64>,
     condition: Option<f64>,
+    truncation: Option<f64>,
     rank: usize,
     unknowns: usize,
     warnings: Vec<Warning>,
@@ -112,7 +113,14 @@ fn patch_solution(patched: &Patched, solved: &Solved, parse_seconds: f64) -> Pat
     let mut coefficients = Vec::new();
     for (j, name) in surface.basis.names().iter().enumerate() {
         let of_function: Vec<[f64; 3]> = all.iter().skip(j).step_by(count.max(1)).copied().collect();
-        let (boundary, terms) = of_function.split_at_checked(conditions).unwrap_or_default();
+        let (boundary, terms) = match report.truncation {
+            None => of_function.split_at_checked(conditions).unwrap_or_default(),
+            // Each wave number has functions of u of its own, as many as there are conditions.
+            Some(_) => {
+                let mut each = of_function.chunks(conditions.max(1));
+                (each.find(|own| own.iter().any(|vector| *vector != [0.0; 3])).unwrap_or_default(), &[][..])
+            }
+        };
         coefficients.push(FunctionCoefficients {
             basis: name.clone(),
             boundary: boundary.to_vec(),
@@ -131,6 +139,7 @@ fn patch_solution(patched: &Patched, solved: &Solved, parse_seconds: f64) -> Pat
         boundary_error: measured.boundary_error(),
         pde_residual: measured.relative_residual(),
         amplification: report.amplification,
+        truncation: report.truncation.map(|truncation| truncation.left_out),
         condition: report.condition.filter(|condition| condition.is_finite()),
         rank: report.rank,
         unknowns: report.unknowns,
@@ -152,21 +161,23 @@ fn write_text(text: &mut String, solution: &PatchSolution, patched: &Patched) {
         Some(closure) => format!("{} basis functions, {closure} with their closure", solution.basis_size),
         None => format!("{} basis functions", solution.basis_size),
     };
-    let _ = writeln!(
-        text,
-        "patch {}: method {}, {functions}, {} terms each, {when}",
-        solution.name, solution.method, solution.modes
-    );
+    let (name, method) = (&solution.name, solution.method);
+    let size = match solution.truncation {
+        Some(_) => format!("{} wave numbers", solution.modes),
+        None => format!("{functions}, {} terms each", solution.modes),
+    };
+    let _ = writeln!(text, "patch {name}: method {method}, {size}, {when}");
     let _ = writeln!(text, "boundary error  {:.1e}", solution.boundary_error);
     let _ = writeln!(text, "PDE residual    {:.1e} of the largest term", solution.pde_residual);
-    match (solution.amplification, solution.condition) {
-        (Some(amplification), _) => {
-            let _ = writeln!(text, "amplification   {amplification:.1e}");
-        }
-        (None, condition) => {
-            let condition = condition.map_or_else(|| "unbounded".to_owned(), |condition| format!("{condition:.1e}"));
-            let _ = writeln!(text, "rank            {} of {}, condition {condition}", solution.rank, solution.unknowns);
-        }
+    if let Some(truncation) = solution.truncation {
+        let _ = writeln!(text, "series          leaves out {truncation:.1e}");
+    }
+    if let Some(amplification) = solution.amplification {
+        let _ = writeln!(text, "amplification   {amplification:.1e}");
+    } else if solution.truncation.is_none() {
+        let condition = solution.condition;
+        let condition = condition.map_or_else(|| "unbounded".to_owned(), |condition| format!("{condition:.1e}"));
+        let _ = writeln!(text, "rank            {} of {}, condition {condition}", solution.rank, solution.unknowns);
     }
     for (index, function) in solution.coefficients.iter().enumerate() {
         let _ = writeln!(text, "\nF{} = {}", index + 1, function.basis);

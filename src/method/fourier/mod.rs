@@ -1,5 +1,5 @@
 //! Fourier series along v: any boundary data that are periodic over the range of v, for equations with constant
-//! coefficients (Gonzalez Castro, Ugail, Willis and Sheng 2006, corrected; docs/methods.md, F1 to F4).
+//! coefficients (González Castro, Ugail, Willis and Palmer 2006, corrected; docs/methods.md, F1 to F4).
 //!
 //! Each wave number is a problem of its own, solved exactly: by the equation's own exponentials where it is
 //! `(∂²/∂u² + a² ∂²/∂v²)^m S = 0`, by [`exact`](super::exact) otherwise, for which a truncated series is a problem with
@@ -77,7 +77,7 @@ impl Method for Fourier {
         let has_varying = operator.terms.iter().flat_map(|term| term.coefficient).any(|expr| graph.dependence(expr).u);
         Ok(Box::new(FourierSolver {
             length: length(options)?,
-            has_remainder: options.settings.remainder.is_none_or(|(is_on, _)| is_on),
+            has_remainder: has_remainder(decomposition, options)?,
             data: BoundaryData::compile(decomposition),
             constant_values: compile(Program::compile(graph, &constants), Backend::Interpreter).0,
             // The closed form is one of constant coefficients and no force.
@@ -110,6 +110,17 @@ fn length(options: &Options) -> Result<Length, Diagnostic> {
             Err(Diagnostic::new(Code::LimitReached, message).at(origin))
         }
         (Some((modes, _)), None) => Ok(Length::Fixed(modes)),
+    }
+}
+
+/// The remainder has the derivatives of the data: without them there is none.
+fn has_remainder(decomposition: &Decomposition, options: &Options) -> Result<bool, Diagnostic> {
+    let Err(fault) = decomposition.check_differentiable() else {
+        return Ok(options.settings.remainder.is_none_or(|(is_on, _)| is_on));
+    };
+    match options.settings.remainder {
+        Some((true, _)) => Err(fault.hint("a series alone needs no derivatives: `remainder = off`")),
+        _ => Ok(false),
     }
 }
 
@@ -208,8 +219,8 @@ impl FourierSolver {
         let carried = if self.has_remainder { "; the remainder carries it" } else { ", which the surface misses" };
         let message =
             format!("{} modes leave out {:.1e} of the boundary data{carried}", series.modes(), series.left_out);
-        let finding = Diagnostic::new(Code::SeriesTruncated, message).at(series.corner.1);
-        let (jump, _) = series.corner;
+        let finding = Diagnostic::new(Code::SeriesTruncated, message).at(series.origin);
+        let jump = series.corner;
         Some(if jump > 1e-3 * series.size {
             finding.hint(format!(
                 "a slope jumps by {jump:.2} where v closes: what N modes leave out falls as slowly as 1/N"

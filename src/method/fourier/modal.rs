@@ -193,6 +193,7 @@ impl Assembly {
             expr: *expr,
             origin: *origin,
             derivatives: Vec::new(),
+            fault: None,
         };
         let truncated = Decomposition {
             graph,

@@ -39,10 +39,12 @@ pub struct Series {
     pub coefficients: Vec<Vec<[f64; 2]>>,
     /// The largest part that is left out: `max |d_i|`.
     pub left_out: f64,
+    /// Where the data are written of which it is left out.
+    pub origin: Option<Span>,
     /// The largest prescribed value.
     pub size: f64,
-    /// The largest jump of a slope where the range of v closes, with the place of its data.
-    pub corner: (f64, Option<Span>),
+    /// The largest jump of a slope where the range of v closes.
+    pub corner: f64,
 }
 
 impl Series {
@@ -194,28 +196,28 @@ impl BoundaryData {
         // Incommensurable with the samples; and the ends, where slopes may jump and the error has its peak.
         let mut v = spaced(range, (8 * modes + 97).max(257), 0.381_966);
         v.extend(range);
-        let mut left_out = 0.0_f64;
-        for (pairs, values) in kept.iter().zip(self.at(&v, t, params)?) {
+        let (mut left_out, mut worst) = (0.0_f64, 0);
+        for (index, (pairs, values)) in kept.iter().zip(self.at(&v, t, params)?).enumerate() {
             for (v, value) in v.iter().zip(values) {
-                left_out = left_out.max((value - sum(pairs, wave_number * v)).abs());
+                let here = (value - sum(pairs, wave_number * v)).abs();
+                if here > left_out {
+                    (left_out, worst) = (here, index);
+                }
             }
         }
         let corner = self.corner(range, t, params)?;
-        Ok(Series { wave_number, coefficients: kept, left_out, size, corner })
+        Ok(Series { wave_number, coefficients: kept, left_out, origin: self.name(worst).1, size, corner })
     }
 
     /// The largest jump of a slope where the range closes, by one-sided differences.
-    fn corner(&self, [low, high]: [f64; 2], t: f64, params: &[f64]) -> Result<(f64, Option<Span>), Diagnostic> {
+    fn corner(&self, [low, high]: [f64; 2], t: f64, params: &[f64]) -> Result<f64, Diagnostic> {
         let step = 1e-6 * (high - low);
-        let mut worst = (0.0_f64, None);
-        for (index, values) in self.at(&[low, low + step, high - step, high], t, params)?.into_iter().enumerate() {
-            let [first, second, third, fourth] = values.as_slice() else { continue };
-            let jump = ((second - first) - (fourth - third)).abs() / step;
-            if jump > worst.0 {
-                worst = (jump, self.name(index).1);
-            }
-        }
-        Ok(worst)
+        let values = self.at(&[low, low + step, high - step, high], t, params)?;
+        let jump = |values: &Vec<f64>| match values.as_slice() {
+            [first, second, third, fourth] => ((second - first) - (fourth - third)).abs() / step,
+            _ => 0.0,
+        };
+        Ok(values.iter().map(jump).fold(0.0, f64::max))
     }
 }
 

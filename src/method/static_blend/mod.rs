@@ -87,6 +87,7 @@ impl Method for StaticBlend {
     }
 
     fn prepare(&self, decomposition: &Decomposition, options: &Options) -> Result<Box<dyn Solver>, Diagnostic> {
+        decomposition.check_differentiable()?;
         let (powers, points) = sizes(decomposition, options)?;
         let orders_in_t = decomposition.patch.operator.order_in_t();
         let mut graph = decomposition.graph.clone();
