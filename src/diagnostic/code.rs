@@ -119,6 +119,7 @@ codes! {
     SeamOpens = "W0411", Warning, Numerical, "The boundary closes in v, and the surface between does not.";
     SolutionNotUnique = "W0412", Warning, Numerical, "The equation has other solutions with the same boundary.";
     PromiseBroken = "E0413", Error, Numerical, "A solution is not what its method promises.";
+    SeamApart = "E0414", Error, Source, "Patches do not meet where a seam is stated.";
     LimitReached = "E0901", Error, Limit, "A limit was reached.";
     HostUnsupported = "N0902", Note, Host, "The machine lacks something; the work goes on another way.";
     OutputFailed = "E0903", Error, Output, "Writing a result failed.";

@@ -12,7 +12,7 @@ mod surface;
 pub use domain::{Domain, DomainValues};
 pub use operator::{PdeOperator, PdeTerm, STANDARD_COEFFICIENTS};
 pub use parameters::{Bindings, Parameter, ParameterKind};
-pub use surface::{Join, PrimarySurface};
+pub use surface::{Join, PrimarySurface, Seam};
 
 use crate::diagnostic::Span;
 use crate::expr::{ExprId, Graph};
@@ -31,6 +31,8 @@ pub struct Problem {
     pub surfaces: Vec<PrimarySurface>,
     /// The patches, in source order.
     pub patches: Vec<Patch>,
+    /// Where patches are meant to meet, in source order.
+    pub seams: Vec<Seam>,
 }
 
 /// One surface patch: a boundary-value problem for `S(u, v, t)`.

@@ -10,6 +10,7 @@ mod failure;
 mod mesh;
 mod options;
 mod output;
+mod seams;
 mod solve;
 mod workflow;
 
@@ -52,7 +53,7 @@ Exit status: 0 done; 1 the spec or the data are at fault, or a check failed; 2 w
 
 #[derive(Subcommand)]
 enum Command {
-    /// Reads, solves and measures: boundary error and residual of the equation.
+    /// Reads, solves and measures: boundaries, joins, seams, and the residual of the equation.
     Check(check::Arguments),
     /// Prints the decomposition: basis functions, coefficient vectors, needed derivatives.
     Basis(basis::Arguments),
