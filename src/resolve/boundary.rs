@@ -85,11 +85,7 @@ pub fn resolve(
 }
 
 /// The position of a boundary, symbolically and as a number; `None` where numbers are not known.
-fn edge(
-    boundary: &Boundary,
-    frame: &Frame<'_>,
-    lowering: &mut Lowering<'_>,
-) -> Result<Option<(ExprId, f64)>, Fault> {
+fn edge(boundary: &Boundary, frame: &Frame<'_>, lowering: &mut Lowering<'_>) -> Result<Option<(ExprId, f64)>, Fault> {
     if boundary.variable.text != Variable::U.name() {
         let message = format!("boundaries are at values of u, not of `{}`", boundary.variable.text);
         return Err(Diagnostic::new(Code::UnexpectedText, message)

@@ -64,9 +64,10 @@ pub fn resolve(
     if let Some(sides) = statement.and_then(|statement| statement.sides) {
         let own = parameters.get(first_own..).unwrap_or_default();
         let used = used_names(&reading.graph, own, reading.tree, sides);
-        for (name, _) in stated.iter().filter(|(name, _)| {
-            !used.contains(&name.text) && !used.contains(&parameter_name(patch, &name.text))
-        }) {
+        for (name, _) in stated
+            .iter()
+            .filter(|(name, _)| !used.contains(&name.text) && !used.contains(&parameter_name(patch, &name.text)))
+        {
             reading.report(unused_coefficient(name));
         }
     }

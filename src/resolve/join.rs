@@ -41,8 +41,11 @@ pub fn expand(
         None => lowering.graph.integer(1),
     };
     let factor = if join.is_flipped { lowering.graph.neg(strength) } else { strength };
-    let replacements =
-        Variable::ALL.iter().zip(arguments).map(|(variable, value)| (lowering.graph.variable(*variable), value)).collect();
+    let replacements = Variable::ALL
+        .iter()
+        .zip(arguments)
+        .map(|(variable, value)| (lowering.graph.variable(*variable), value))
+        .collect();
     let mut stated = Vec::new();
     for order in 0..(order_in_u / 2).max(1) {
         let orders = match across {

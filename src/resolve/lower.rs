@@ -296,9 +296,7 @@ impl Lowering<'_> {
     fn multiply(&mut self, left: Form, right: Form, span: Span) -> Result<Form, Diagnostic> {
         match (left.unknown.is_empty(), right.unknown.is_empty()) {
             (false, false) => Err(not_linear("the product of two terms with S is not linear in S", span)),
-            (true, true) => {
-                Ok(Form::of(self.multiply_values(left.value, right.value, span)?))
-            }
+            (true, true) => Ok(Form::of(self.multiply_values(left.value, right.value, span)?)),
             (true, false) => self.distribute(left.value, right, span),
             (false, true) => self.distribute(right.value, left, span),
         }

@@ -38,7 +38,7 @@ pub fn sections<'a>(
     let domain = domain(&shared.ranges, standard, scope, reading);
     let solve = solve_request(&shared.solves, reading);
     let stated = only_equation(&shared.equations, reading);
-    let needs_shared = document.patches.is_empty() || document.patches.iter().any(|block| states_no_equation(block));
+    let needs_shared = document.patches.is_empty() || document.patches.iter().any(states_no_equation);
     let operator = if needs_shared { equation::resolve(stated, None, scope, parameters, reading) } else { None };
     if document.patches.is_empty() {
         let name = name.to_owned();

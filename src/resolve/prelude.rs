@@ -15,8 +15,7 @@ const TEXT: &str = include_str!("../../grammar/prelude.trim");
 /// Makes the standard surfaces that `tree` names known in `scope`.
 pub fn provide(tree: &Tree, scope: &mut Scope<'_>, reading: &mut Reading<'_>) {
     let used: FxHashSet<&str> = tree.names().collect();
-    let wanted: Vec<&str> =
-        TEXT.lines().filter(|line| name_of(line).is_some_and(|name| used.contains(name))).collect();
+    let wanted: Vec<&str> = TEXT.lines().filter(|line| name_of(line).is_some_and(|name| used.contains(name))).collect();
     if wanted.is_empty() {
         return;
     }

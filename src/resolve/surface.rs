@@ -111,7 +111,11 @@ impl SurfaceMeaning {
 
     /// Replaces u, v and t by arguments; a surface of two parameters keeps the time.
     fn replacements(&self, arguments: &[ExprId], lowering: &mut Lowering<'_>) -> FxHashMap<ExprId, ExprId> {
-        Variable::ALL.iter().zip(arguments).map(|(variable, value)| (lowering.graph.variable(*variable), *value)).collect()
+        Variable::ALL
+            .iter()
+            .zip(arguments)
+            .map(|(variable, value)| (lowering.graph.variable(*variable), *value))
+            .collect()
     }
 }
 

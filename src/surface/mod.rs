@@ -4,9 +4,11 @@
 
 mod basis;
 mod separable;
+mod symbolic;
 
 pub use basis::Basis;
 pub use separable::{Coefficients, SeparableSurface};
+pub use symbolic::SymbolicSurface;
 
 use crate::diagnostic::Diagnostic;
 use crate::expr::Derivative;

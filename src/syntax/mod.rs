@@ -51,12 +51,7 @@ pub fn parse(source: &Source, limits: &Limits) -> Result<Document, Diagnostics> 
     if found.is_empty() { Ok(document) } else { Err(found) }
 }
 
-fn add_line(
-    document: &mut Document,
-    prepared: &Prepared,
-    line: Span,
-    in_patch: &mut bool,
-) -> Result<(), Diagnostic> {
+fn add_line(document: &mut Document, prepared: &Prepared, line: Span, in_patch: &mut bool) -> Result<(), Diagnostic> {
     let mut brackets = Brackets::read(prepared, line, &mut document.tree)?;
     let text = brackets::outermost(prepared, line);
     let pair = parser::line(&text, line.start)?;

@@ -94,7 +94,9 @@ fn words(rule: Rule) -> Option<&'static str> {
         | Rule::root_sign => "an expression",
         Rule::name | Rule::parameter | Rule::definition | Rule::assignment | Rule::range => "a name",
         Rule::interval => "an interval `[lo, hi]`",
-        Rule::constraint | Rule::constraints | Rule::target | Rule::join | Rule::kw_join => "a constraint such as `S_x = …`",
+        Rule::constraint | Rule::constraints | Rule::target | Rule::join | Rule::kw_join => {
+            "a constraint such as `S_x = …`"
+        }
         Rule::line
         | Rule::param_line
         | Rule::let_line

@@ -148,7 +148,8 @@ impl Builder<'_> {
                 let mut inner = parts.filter(|part| part.as_rule() != Rule::kw_at);
                 let variable = self.take_name(&mut inner)?;
                 let position = self.take_expression(&mut inner)?;
-                let constraints = inner.next().map_or(Ok(Constraints::default()), |list| self.constraints(list.into_inner()))?;
+                let constraints =
+                    inner.next().map_or(Ok(Constraints::default()), |list| self.constraints(list.into_inner()))?;
                 Statement::Boundary(Boundary { variable, position, constraints })
             }
             Rule::constraints => Statement::Constraints(self.constraints(parts)?),

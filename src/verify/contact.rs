@@ -3,8 +3,8 @@
 /// x, y and z.
 pub type Vector = [f64; 3];
 
-/// Below this fraction of the lengths of both tangents a cross product is rounding errors.
-const PARALLEL: f64 = 1e-12;
+/// Numbers below this fraction of those they are computed from are rounding errors.
+const NEGLIGIBLE: f64 = 1e-12;
 
 /// Distance of two points.
 pub fn distance(a: Vector, b: Vector) -> f64 {
@@ -36,11 +36,19 @@ pub fn direction(a: Vector) -> Option<Vector> {
     (length > 0.0 && length.is_finite()).then(|| a.map(|x| x / length))
 }
 
-/// The unit normal of the plane of two tangents; `None` where they do not span one.
-pub fn normal(u: Vector, v: Vector) -> Option<Vector> {
+/// The unit normals along a curve on a surface, from its positions and its tangents in u and in v; `None` where the
+/// tangents do not span a plane.
+pub fn normals(positions: &[Vector], tangents: impl Iterator<Item = (Vector, Vector)> + Clone) -> Vec<Option<Vector>> {
+    let lengths = tangents.clone().flat_map(|(u, v)| [length(u), length(v)]);
+    let size = positions.iter().map(|at| length(*at)).chain(lengths).fold(0.0, f64::max);
+    // At a pole the tangent along the curve is not zero but rounding errors of numbers of this size.
+    tangents.map(|(u, v)| normal(u, v).filter(|_| length(u).min(length(v)) > NEGLIGIBLE * size)).collect()
+}
+
+fn normal(u: Vector, v: Vector) -> Option<Vector> {
     // Of unit vectors, so that the test does not depend on how fast the parameters run.
     let product = cross(direction(u)?, direction(v)?);
-    if length(product) > PARALLEL { direction(product) } else { None }
+    if length(product) > NEGLIGIBLE { direction(product) } else { None }
 }
 
 /// The angle between two planes in degrees, from 0 to 90: the side a normal points to is a choice of parameters.
@@ -75,5 +83,7 @@ mod tests {
         assert_eq!(normal([0.0; 3], [1.0, 0.0, 0.0]), None);
         assert_eq!(normal([1e-9, 0.0, 0.0], [3.0, 0.0, 0.0]), None);
         assert_eq!(normal([1e-200, 0.0, 0.0], [0.0, 1e200, 0.0]), Some([0.0, 0.0, 1.0]));
+        let pole = [([1.0, 0.0, 0.0], [0.0, 6e-17, 0.0])];
+        assert_eq!(normals(&[[0.0, 0.0, 0.0]], pole.into_iter()), [None]);
     }
 }

@@ -3,12 +3,14 @@
 //! The primary surface is evaluated from its own expressions, and its normals from its own partial derivatives. The
 //! boundary data that were made of it are not looked at: a fault on the way from the surface to them would show here.
 
-use super::contact::{Vector, angle_degrees, difference, direction, distance, dot, length, normal, worse};
-use super::{GRID, evaluate_at, with_ends};
+use super::contact::{Vector, angle_degrees, difference, direction, distance, dot, length, normals, worse};
+use super::{GRID, run, with_ends};
 use crate::diagnostic::{Code, Diagnostic};
-use crate::expr::{Derivative, ExprId, Graph, Variable};
-use crate::problem::{Bindings, DomainValues, Join, Patch, PrimarySurface, Problem};
-use crate::surface::Surface;
+use crate::eval::Samples;
+use crate::expr::{Derivative, ExprId, Variable};
+use crate::limits::Limits;
+use crate::problem::{Bindings, DomainValues, Join, Patch, Problem};
+use crate::surface::{Surface, SymbolicSurface};
 
 /// How a surface meets a primary surface along a trimline, at its worst.
 #[derive(Debug, Clone, PartialEq)]
@@ -60,6 +62,7 @@ pub fn verify_joins(
     patch: &Patch,
     surface: &dyn Surface,
     (bindings, domain, t): (&Bindings, &DomainValues, f64),
+    limits: &Limits,
 ) -> Result<Vec<JoinDeviation>, Diagnostic> {
     let v = with_ends(GRID[1], domain.v);
     let measure = |join: &Join| {
@@ -68,103 +71,60 @@ pub fn verify_joins(
             return Err(Diagnostic::new(Code::UnknownName, message).at(join.origin));
         };
         let u = bindings.constant(problem, join.u, join.origin, "the position of a boundary")?;
-        let own = arguments(problem, join, bindings, (u, &v, t))?;
+        let here: Vec<Vector> = v.iter().map(|&v| [u, v, t]).collect();
+        let there = arguments(problem, join, bindings, &here)?;
         let is_here = |expr: ExprId| problem.graph.value(expr, bindings.as_slice(), [f64::NAN; 3]) == u;
         let needs_curvature = patch.conditions.iter().any(|condition| condition.order == 2 && is_here(condition.u));
-        let stated = shapes_of_primary(problem, primary, join, bindings, &own, needs_curvature)?;
-        let solved = shapes_of_surface(surface, (u, &v, t), needs_curvature)?;
-        Ok(compare(join, &solved, &stated, needs_curvature))
+        let primary = SymbolicSurface::new(problem, primary, bindings, limits);
+        let stated = Curve::sample(&primary, &there, needs_curvature)?;
+        Ok(compare(join, &Curve::sample(surface, &here, needs_curvature)?, &stated, needs_curvature))
     };
     patch.joins.iter().map(measure).collect()
 }
 
-/// The parameters and the time of the primary surface along the trimline.
+/// The parameters and the time of the primary surface at points of the trimline.
 fn arguments(
     problem: &Problem,
     join: &Join,
     bindings: &Bindings,
-    (u, v, t): (f64, &[f64], f64),
-) -> Result<Vec<Vector>, Diagnostic> {
-    let points: Vec<Vector> = v.iter().map(|&v| [u, v, t]).collect();
-    evaluate_at(&problem.graph, &join.arguments, bindings, &points)
-}
-
-fn shapes_of_primary(
-    problem: &Problem,
-    primary: &PrimarySurface,
-    join: &Join,
-    bindings: &Bindings,
     points: &[Vector],
-    needs_curvature: bool,
-) -> Result<(Vec<Vector>, Vec<Shape>), Diagnostic> {
-    let mut graph = problem.graph.clone();
-    let mut derivative = |orders: Derivative| {
-        let differentiated = differentiated(&mut graph, primary, orders);
-        let expressions = differentiated.map_err(|finding| finding.at(join.origin))?;
-        let values = evaluate_at(&graph, &expressions, bindings, points)?;
-        match values.iter().zip(points).find(|(value, _)| value.iter().any(|x| !x.is_finite())) {
-            None => Ok(values),
-            Some((_, [a, b, t])) => {
-                let message = format!("the surface `{}` is not finite at ({a}, {b}), t = {t}", primary.name);
-                Err(Diagnostic::new(Code::DataNotFinite, message)
-                    .at(join.origin)
-                    .hint("a surface must be smooth along the trimlines that join it"))
+) -> Result<Vec<Vector>, Diagnostic> {
+    let column = |index: usize| -> Vec<f64> { points.iter().filter_map(|point| point.get(index)).copied().collect() };
+    let samples = (column(0), column(1), column(2));
+    let samples = Samples { u: &samples.0, v: &samples.1, t: &samples.2 };
+    let values = run(&problem.graph, &join.arguments, bindings, samples)?;
+    let row = |index: usize| values.iter().skip(index * points.len()).copied();
+    Ok(row(0).zip(row(1)).zip(row(2)).take(points.len()).map(|((a, b), time)| [a, b, time]).collect())
+}
+
+/// Points on a surface with its derivatives there.
+struct Curve {
+    positions: Vec<Vector>,
+    shapes: Vec<Shape>,
+}
+
+impl Curve {
+    fn sample(surface: &dyn Surface, points: &[Vector], needs_curvature: bool) -> Result<Curve, Diagnostic> {
+        let derivative = |u: usize, v: usize| {
+            let mut values = vec![[0.0; 3]; points.len()];
+            if u + v < 2 || needs_curvature {
+                surface.evaluate(Derivative::new(u, v, 0), points, &mut values)?;
             }
-        }
-    };
-    let positions = derivative(Derivative::NONE)?;
-    Ok((positions, shapes(derivative, points.len(), needs_curvature)?))
-}
-
-fn differentiated(
-    graph: &mut Graph,
-    primary: &PrimarySurface,
-    orders: Derivative,
-) -> Result<[ExprId; 3], Diagnostic> {
-    let mut all = primary.position;
-    for expr in &mut all {
-        // What is needed to join the surface was differentiated within the limits when it was read.
-        let derivative = graph.derivative_within(*expr, orders, usize::MAX);
-        *expr = derivative.map_err(|fault| fault.to_diagnostic(orders, usize::MAX))?;
+            Ok::<_, Diagnostic>(values)
+        };
+        let firsts = derivative(1, 0)?.into_iter().zip(derivative(0, 1)?);
+        let seconds = derivative(2, 0)?.into_iter().zip(derivative(1, 1)?).zip(derivative(0, 2)?);
+        let shapes = firsts.zip(seconds).map(|((u, v), ((uu, uv), vv))| Shape { u, v, uu, uv, vv });
+        Ok(Curve { shapes: shapes.collect(), positions: derivative(0, 0)? })
     }
-    Ok(all)
+
+    fn normals(&self) -> Vec<Option<Vector>> {
+        normals(&self.positions, self.shapes.iter().map(|shape| (shape.u, shape.v)))
+    }
 }
 
-fn shapes_of_surface(
-    surface: &dyn Surface,
-    (u, v, t): (f64, &[f64], f64),
-    needs_curvature: bool,
-) -> Result<(Vec<Vector>, Vec<Shape>), Diagnostic> {
-    let derivative = |orders: Derivative| {
-        let mut values = vec![[0.0; 3]; v.len()];
-        surface.evaluate_grid(orders, (&[u], v, t), &mut values)?;
-        Ok(values)
-    };
-    let positions = derivative(Derivative::NONE)?;
-    Ok((positions, shapes(derivative, v.len(), needs_curvature)?))
-}
-
-fn shapes(
-    mut derivative: impl FnMut(Derivative) -> Result<Vec<Vector>, Diagnostic>,
-    count: usize,
-    needs_curvature: bool,
-) -> Result<Vec<Shape>, Diagnostic> {
-    let (u, v) = (derivative(Derivative::new(1, 0, 0))?, derivative(Derivative::new(0, 1, 0))?);
-    let mut second = |orders| if needs_curvature { derivative(orders) } else { Ok(vec![[0.0; 3]; count]) };
-    let (uu, uv) = (second(Derivative::new(2, 0, 0))?, second(Derivative::new(1, 1, 0))?);
-    let vv = second(Derivative::new(0, 2, 0))?;
-    let firsts = u.into_iter().zip(v);
-    let seconds = uu.into_iter().zip(uv).zip(vv);
-    Ok(firsts.zip(seconds).map(|((u, v), ((uu, uv), vv))| Shape { u, v, uu, uv, vv }).collect())
-}
-
-fn compare(
-    join: &Join,
-    (solved_at, solved): &(Vec<Vector>, Vec<Shape>),
-    (stated_at, stated): &(Vec<Vector>, Vec<Shape>),
-    needs_curvature: bool,
-) -> JoinDeviation {
-    let gaps = solved_at.iter().zip(stated_at).map(|(a, b)| distance(*a, *b));
+fn compare(join: &Join, solved: &Curve, stated: &Curve, needs_curvature: bool) -> JoinDeviation {
+    let gaps = solved.positions.iter().zip(&stated.positions).map(|(a, b)| distance(*a, *b));
     let mut worst = JoinDeviation {
         gap: gaps.fold(0.0, |most, gap| if gap.is_nan() { f64::INFINITY } else { most.max(gap) }),
         tangent: None,
@@ -172,10 +132,11 @@ fn compare(
         curvature: None,
         without_normal: 0,
     };
-    for (a, b) in solved.iter().zip(stated) {
+    let both = solved.normals().into_iter().zip(stated.normals());
+    for ((a, b), both) in solved.shapes.iter().zip(&stated.shapes).zip(both) {
         let across = if join.across == Variable::V { b.v } else { b.u };
         worst.tangent = worse(worst.tangent, tangent_difference(a.u, across, join.is_flipped));
-        match (normal(a.u, a.v), normal(b.u, b.v)) {
+        match both {
             (Some(of_a), Some(of_b)) => {
                 worst.angle_degrees = worse(worst.angle_degrees, Some(angle_degrees(of_a, of_b)));
                 if needs_curvature {

@@ -173,21 +173,7 @@ fn evaluate(
     run(graph, expressions, bindings, Samples { u: &us, v: &vs, t: &ts })
 }
 
-/// The value of three expressions at points (u, v, t).
-fn evaluate_at(
-    graph: &Graph,
-    expressions: &[ExprId; 3],
-    bindings: &Bindings,
-    points: &[[f64; 3]],
-) -> Result<Vec<[f64; 3]>, Diagnostic> {
-    let us: Vec<f64> = points.iter().map(|[u, _, _]| *u).collect();
-    let vs: Vec<f64> = points.iter().map(|[_, v, _]| *v).collect();
-    let ts: Vec<f64> = points.iter().map(|[_, _, t]| *t).collect();
-    let values = run(graph, expressions, bindings, Samples { u: &us, v: &vs, t: &ts })?;
-    let component = |index: usize| values.iter().skip(index * us.len()).copied();
-    Ok(component(0).zip(component(1)).zip(component(2)).take(us.len()).map(|((x, y), z)| [x, y, z]).collect())
-}
-
+/// The value of three expressions at samples, row after row.
 fn run(
     graph: &Graph,
     expressions: &[ExprId; 3],

@@ -1,6 +1,6 @@
 //! Judges how two patches meet along edges of constant u.
 
-use super::contact::{Vector, angle_degrees, distance, normal, worse};
+use super::contact::{Vector, angle_degrees, distance, normals, worse};
 use crate::diagnostic::Diagnostic;
 use crate::expr::Derivative;
 use crate::surface::Surface;
@@ -31,15 +31,16 @@ impl Edge {
     /// Whatever the surface says when it cannot be evaluated.
     pub fn sample(surface: &dyn Surface, u: f64, [low, high]: [f64; 2], t: f64) -> Result<Edge, Diagnostic> {
         let last = (POINTS - 1) as f64;
-        let v: Vec<f64> = (0..POINTS)
-            .map(|i| if i + 1 == POINTS { high } else { low + (high - low) * (i as f64 / last) })
-            .collect();
+        let v: Vec<f64> =
+            (0..POINTS).map(|i| if i + 1 == POINTS { high } else { low + (high - low) * (i as f64 / last) }).collect();
         let values = |orders: Derivative| {
             let mut values = vec![[0.0; 3]; v.len()];
             surface.evaluate_grid(orders, (&[u], &v, t), &mut values).map(|()| values)
         };
+        let points = values(Derivative::NONE)?;
         let tangents = values(Derivative::new(1, 0, 0))?.into_iter().zip(values(Derivative::new(0, 1, 0))?);
-        Ok(Edge { points: values(Derivative::NONE)?, normals: tangents.map(|(u, v)| normal(u, v)).collect() })
+        let normals = normals(&points, tangents);
+        Ok(Edge { points, normals })
     }
 
     /// The size of the box around the edge.
@@ -47,7 +48,8 @@ impl Edge {
     pub fn extent(&self) -> f64 {
         let range = |axis: usize| {
             let values = self.points.iter().filter_map(|point| point.get(axis));
-            let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(*x), high.max(*x)));
+            let (low, high) =
+                values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(*x), high.max(*x)));
             high - low
         };
         range(0).hypot(range(1)).hypot(range(2))
@@ -80,9 +82,6 @@ impl SeamDeviation {
     /// The worse of two measurements of one seam, for example at two instants.
     #[must_use]
     pub fn worst(self, other: &SeamDeviation) -> SeamDeviation {
-        SeamDeviation {
-            gap: self.gap.max(other.gap),
-            angle_degrees: worse(self.angle_degrees, other.angle_degrees),
-        }
+        SeamDeviation { gap: self.gap.max(other.gap), angle_degrees: worse(self.angle_degrees, other.angle_degrees) }
     }
 }

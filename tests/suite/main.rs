@@ -24,3 +24,4 @@ mod reference;
 mod robustness;
 mod spec;
 mod static_blend;
+mod surfaces;

@@ -165,7 +165,8 @@ fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Check
                 print_warnings(&solved.solution.report.warnings, &spec.source, terminal);
             }
             let at = (&spec.bindings, &patched.prepared.domain, time);
-            let met = verify_joins(&spec.problem, patched.prepared.patch(), &*solved.solution.surface, at);
+            let met =
+                verify_joins(&spec.problem, patched.prepared.patch(), &*solved.solution.surface, at, &spec.limits);
             let met = met.map_err(|finding| spec.fault(finding))?;
             joins = Some(match joins {
                 Some(before) => before.into_iter().zip(&met).map(|(before, met)| before.worst(met)).collect(),
@@ -196,9 +197,9 @@ fn seam_times(arguments: &Arguments, spec: &Spec, patched: &[Patched]) -> Result
     Ok(match (range, arguments.solving.time) {
         (None, _) => None,
         (Some(_), Some(time)) => Some(vec![time]),
-        (Some(range), None) => Some(
-            trimline::tessellate::instants(range, INSTANTS, &spec.limits).map_err(|finding| spec.fault(finding))?,
-        ),
+        (Some(range), None) => {
+            Some(trimline::tessellate::instants(range, INSTANTS, &spec.limits).map_err(|finding| spec.fault(finding))?)
+        }
     })
 }
 

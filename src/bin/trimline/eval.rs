@@ -54,11 +54,8 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
     }
     let spec = Spec::read(&arguments.spec, &arguments.solving.reading)?;
     let derivatives = read_derivatives(&arguments.derivatives, spec.limits.derivative_order)?;
-    let patched: Vec<Patched> = spec
-        .patches
-        .iter()
-        .map(|patch| spec.prepare(patch, &arguments.solving, grid))
-        .collect::<Result<_, _>>()?;
+    let patched: Vec<Patched> =
+        spec.patches.iter().map(|patch| spec.prepare(patch, &arguments.solving, grid)).collect::<Result<_, _>>()?;
     let table = read_table(file, arguments.solving.time, &patched, spec.limits.samples)?;
     let values = evaluate(&spec, &patched, &table, &derivatives, terminal)?;
     let text = write_table(&table, &derivatives, &values)?;

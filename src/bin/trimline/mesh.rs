@@ -8,6 +8,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use trimline::diagnostic::{Code, Diagnostic};
 use trimline::export::{Format, write};
+use trimline::surface::SymbolicSurface;
 use trimline::tessellate::{Grid, Scene, instants, tessellate};
 
 use crate::Outcome;
@@ -35,6 +36,10 @@ pub struct Arguments {
     #[arg(long, value_name = "NUxNV", default_value = "64x128")]
     grid: String,
 
+    /// Also the primary surfaces, each as an object of its own.
+    #[arg(long)]
+    with_surfaces: bool,
+
     /// As many instants over the time domain, both ends included, a file each.
     #[arg(long, value_name = "N", conflicts_with = "time")]
     frames: Option<usize>,
@@ -58,7 +63,10 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
     for (index, &time) in times.iter().enumerate() {
         let path =
             if arguments.frames.is_some() { numbered(&arguments.output, index) } else { arguments.output.clone() };
-        let scene = scene(&spec, &patched, grid, time, (index == 0, terminal))?;
+        let mut scene = scene(&spec, &patched, grid, time, (index == 0, terminal))?;
+        if arguments.with_surfaces {
+            add_surfaces(&mut scene, &spec, &patched, grid)?;
+        }
         vertices = scene.meshes.iter().map(|mesh| mesh.positions.len()).sum();
         quads = scene.meshes.iter().map(|mesh| mesh.quads.len()).sum();
         let notes = write(&scene, format, files.create(&path)?)
@@ -134,6 +142,28 @@ fn scene(
         meshes.push(mesh);
     }
     Ok(Scene { meshes, time })
+}
+
+/// Adds the primary surfaces over their stated ranges; over those of the first patch where none is stated.
+fn add_surfaces(scene: &mut Scene, spec: &Spec, patched: &[Patched], grid: Grid) -> Result<(), Failure> {
+    let Some(first) = patched.first() else { return Ok(()) };
+    let constant = |expr| {
+        let value = spec.bindings.constant(&spec.problem, expr, None, "the range of a surface's parameter");
+        value.map_err(|finding| spec.fault(finding))
+    };
+    for primary in &spec.problem.surfaces {
+        let mut ranges = [first.prepared.domain.u, first.prepared.domain.v];
+        for (range, stated) in ranges.iter_mut().zip(primary.ranges) {
+            if let Some([low, high]) = stated {
+                *range = [constant(low)?, constant(high)?];
+            }
+        }
+        let surface = SymbolicSurface::new(&spec.problem, primary, &spec.bindings, &spec.limits);
+        let mesh = tessellate(&primary.name, &surface, ranges.into(), scene.time, grid);
+        let (mesh, _) = mesh.map_err(|finding| spec.fault(finding.at(primary.origin)))?;
+        scene.meshes.push(mesh);
+    }
+    Ok(())
 }
 
 /// `blend.obj` as `blend.0007.obj`.

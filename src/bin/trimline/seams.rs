@@ -42,11 +42,7 @@ struct Pair<'a> {
 }
 
 /// Measures the seams at `times`, and says which of the stated ones are open.
-pub fn measure(
-    spec: &Spec,
-    patched: &[Patched],
-    times: &[f64],
-) -> Result<(Vec<SeamReport>, Vec<Diagnostic>), Failure> {
+pub fn measure(spec: &Spec, patched: &[Patched], times: &[f64]) -> Result<(Vec<SeamReport>, Vec<Diagnostic>), Failure> {
     let mut pairs = pairs(spec, patched)?;
     let mut size = 0.0_f64;
     for &time in times {
@@ -73,7 +69,8 @@ pub fn measure(
             pair.worst = Some(pair.worst.map_or(here, |before| before.worst(&here)));
         }
         // Edges that shrink to a point have no direction to meet in.
-        let is_point = |place: &Place| edges.iter().any(|(known, edge)| known == place && edge.extent() <= CLOSED * size);
+        let is_point =
+            |place: &Place| edges.iter().any(|(known, edge)| known == place && edge.extent() <= CLOSED * size);
         pairs.retain(|pair| {
             let is_near = pair.worst.is_some_and(|worst| worst.gap <= NEAR * size);
             pair.stated.is_some() || (is_near && !pair.between.iter().any(is_point))
