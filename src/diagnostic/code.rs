@@ -123,6 +123,7 @@ codes! {
     PromiseBroken = "E0413", Error, Numerical, "A solution is not what its method promises.";
     SeriesTruncated = "W0414", Warning, Numerical, "A Fourier series leaves out part of the boundary data.";
     PositionsAmplify = "W0415", Warning, Numerical, "Positions inside the blend amplify high wave numbers.";
+    SeamApart = "E0416", Error, Source, "Patches do not meet where a seam is stated.";
     KnotsNotAscending = "E0601", Error, Source, "A knot vector is not one.";
     KnotRepeated = "E0602", Error, Source, "A knot inside a net is repeated.";
     NetSize = "E0603", Error, Source, "A net has the wrong number of points.";

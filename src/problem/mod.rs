@@ -14,7 +14,7 @@ pub use domain::{Domain, DomainValues};
 pub use explanation::Explanation;
 pub use operator::{PdeOperator, PdeTerm, STANDARD_COEFFICIENTS};
 pub use parameters::{Bindings, Parameter, ParameterKind};
-pub use surface::{Join, PrimarySurface};
+pub use surface::{Join, PrimarySurface, Seam};
 
 use crate::diagnostic::Span;
 use crate::expr::{Derivative, ExprId, Graph, Notation};
@@ -33,6 +33,8 @@ pub struct Problem {
     pub surfaces: Vec<PrimarySurface>,
     /// The patches, in source order.
     pub patches: Vec<Patch>,
+    /// Where patches are meant to meet, in source order.
+    pub seams: Vec<Seam>,
 }
 
 /// One surface patch: a boundary-value problem for `S(u, v, t)`.

@@ -1,4 +1,4 @@
-//! Primary surfaces, and the trimlines where patches join them.
+//! Primary surfaces, the trimlines where patches join them, and the seams where patches meet.
 
 use crate::diagnostic::Span;
 use crate::expr::{ExprId, Variable};
@@ -31,6 +31,15 @@ pub struct Join {
     pub across: Variable,
     /// Whether the patch leaves against that parameter; `None` if the document does not say.
     pub is_flipped: Option<bool>,
+    /// Where it is stated.
+    pub origin: Option<Span>,
+}
+
+/// Two edges of patches that are meant to meet.
+#[derive(Debug, Clone)]
+pub struct Seam {
+    /// Each edge: the patch, as its place among the problem's, and the value of its u.
+    pub edges: [(usize, ExprId); 2],
     /// Where it is stated.
     pub origin: Option<Span>,
 }

@@ -51,6 +51,9 @@ pub fn resolve(document: &Document, name: &str, limits: &Limits) -> Result<Probl
     for section in sections {
         problem.patches.extend(patch::resolve(section, bindings.as_ref(), &mut reading));
     }
+    if let (Some(bindings), true) = (&bindings, reading.found.is_empty()) {
+        problem.seams = patch::seams(document, &problem.patches, &scope, bindings, &mut reading);
+    }
     (problem.graph, problem.surfaces) = (reading.graph, reading.surfaces);
     if reading.found.is_empty() { Ok(problem) } else { Err(reading.found) }
 }

@@ -3,12 +3,13 @@
 use super::boundary;
 use super::declarations;
 use super::equation;
-use super::reading::Reading;
+use super::lower::Lowering;
+use super::reading::{Fault, Reading};
 use super::scope::Scope;
 use crate::diagnostic::{Code, Diagnostic, Span};
-use crate::expr::Variable;
-use crate::problem::{Bindings, Domain, Parameter, Patch, PdeOperator, RequestedSetting, SolveRequest};
-use crate::syntax::ast::{Document, PatchBlock, PdeStatement, Range, SolveStatement, Statements};
+use crate::expr::{ExprId, Variable};
+use crate::problem::{Bindings, Domain, Parameter, Patch, PdeOperator, RequestedSetting, Seam, SolveRequest};
+use crate::syntax::ast::{Document, PatchBlock, PdeStatement, Range, SeamEdge, SolveStatement, Statements};
 
 /// A patch whose boundary is still to be read.
 pub struct Section<'a> {
@@ -90,6 +91,54 @@ pub fn resolve(section: Section<'_>, bindings: Option<&Bindings>, reading: &mut 
     let frame = boundary::Frame { order_in_u, numbers, place };
     let (conditions, joins) = boundary::resolve(&statements.boundaries, &frame, &scope, reading)?;
     Some(Patch { name, domain, operator: operator?, conditions, joins, solve })
+}
+
+/// The seams that are stated between `patches`.
+pub fn seams(
+    document: &Document,
+    patches: &[Patch],
+    scope: &Scope<'_>,
+    bindings: &Bindings,
+    reading: &mut Reading<'_>,
+) -> Vec<Seam> {
+    let mut seams = Vec::with_capacity(document.seams.len());
+    for seam in &document.seams {
+        let edges = seam.edges.each_ref().map(|edge| {
+            let edge = seam_edge(edge, patches, bindings, &mut reading.lowering(scope));
+            reading.keep(edge)
+        });
+        if let [Some(first), Some(second)] = edges {
+            seams.push(Seam { edges: [first, second], origin: Some(seam.span) });
+        }
+    }
+    seams
+}
+
+fn seam_edge(
+    edge: &SeamEdge,
+    patches: &[Patch],
+    bindings: &Bindings,
+    lowering: &mut Lowering<'_>,
+) -> Result<(usize, ExprId), Fault> {
+    let name = &edge.patch;
+    let Some((index, patch)) = patches.iter().enumerate().find(|(_, patch)| patch.name == name.text) else {
+        let known: Vec<&str> = patches.iter().map(|patch| patch.name.as_str()).collect();
+        let finding = Diagnostic::new(Code::UnknownName, format!("there is no patch `{}`", name.text)).at(name.span);
+        return Err(finding.hint(format!("patches: {}", known.join(", "))).into());
+    };
+    if edge.variable.text != Variable::U.name() {
+        let message = format!("patches meet at values of u, not of `{}`", edge.variable.text);
+        return Err(Diagnostic::new(Code::UnexpectedText, message).at(edge.variable.span).into());
+    }
+    let u = lowering.constant(edge.position, "the position of a seam")?;
+    let place = lowering.tree.span(edge.position);
+    let [low, high] = patch.domain.evaluate_in(lowering.graph, bindings)?.u;
+    let position = bindings.constant_in(lowering.graph, u, Some(place), "the position of a seam")?;
+    if (low..=high).contains(&position) {
+        return Ok((index, u));
+    }
+    let message = format!("u = {position} lies outside the domain u in [{low}, {high}] of `{}`", name.text);
+    Err(Diagnostic::new(Code::DependentConstraints, message).at(place).into())
 }
 
 /// Refuses too many patches, two of one name, and constraints that belong to none of them.

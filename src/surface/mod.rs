@@ -5,10 +5,12 @@
 mod basis;
 pub mod bspline;
 mod separable;
+mod symbolic;
 
 pub use basis::Basis;
 pub use bspline::{BsplineCurve, BsplineSurface, KnotVector};
 pub use separable::{Coefficients, SeparableSurface};
+pub use symbolic::SymbolicSurface;
 
 use crate::diagnostic::Diagnostic;
 use crate::expr::Derivative;

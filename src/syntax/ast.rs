@@ -14,6 +14,28 @@ pub struct Document {
     pub shared: Statements,
     /// The patch blocks, in source order.
     pub patches: Vec<PatchBlock>,
+    /// Where patches are said to meet, in source order.
+    pub seams: Vec<Seam>,
+}
+
+/// `seam A at u = 1 with B at u = 1`
+#[derive(Debug, Clone, PartialEq)]
+pub struct Seam {
+    /// The edges that meet.
+    pub edges: [SeamEdge; 2],
+    /// The whole statement.
+    pub span: Span,
+}
+
+/// `A at u = 1`
+#[derive(Debug, Clone, PartialEq)]
+pub struct SeamEdge {
+    /// The patch.
+    pub patch: Name,
+    /// The name before the `=`, which must be `u`.
+    pub variable: Name,
+    /// The value of u.
+    pub position: Expression,
 }
 
 /// The statements that a patch may consist of.

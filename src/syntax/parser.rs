@@ -114,9 +114,11 @@ fn words(rule: Rule) -> Option<&'static str> {
         | Rule::kw_pde
         | Rule::patch_line
         | Rule::kw_patch
+        | Rule::seam_line
+        | Rule::kw_seam
         | Rule::surface_line
         | Rule::kw_surface
-        | Rule::kw_solve => "a statement (`param`, `let`, `surface`, `domain`, `pde`, `at`, `solve`, `patch`)",
+        | Rule::kw_solve => "a statement (`param`, `let`, `surface`, `domain`, `pde`, `at`, `solve`, `patch`, `seam`)",
         Rule::surface => "a name",
         Rule::strength | Rule::kw_strength | Rule::flip => "`strength = …` or `flip`",
         Rule::kw_at => "`at`",

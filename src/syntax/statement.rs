@@ -2,7 +2,7 @@
 
 use super::ast::{
     Boundary, Constraint, Constraints, Definition, DefinitionKind, Document, Expression, Join, Kind, Name, Parameter,
-    PatchBlock, PdeStatement, Range, Setting, SolveStatement, Statements, Unknown,
+    PatchBlock, PdeStatement, Range, Seam, SeamEdge, Setting, SolveStatement, Statements, Unknown,
 };
 use super::expression::Builder;
 use super::parser::{Parsed, Rule};
@@ -25,6 +25,8 @@ pub enum Statement {
     Constraints(Constraints),
     /// `solve …`
     Solve(SolveStatement),
+    /// `seam …`
+    Seam(Seam),
     /// `patch NAME {`
     PatchBegins(Name),
     /// `}`
@@ -69,6 +71,12 @@ impl Statement {
                         .hint("open the block first: `at u = 0:`"));
                 }
             },
+            Statement::Seam(seam) => {
+                if *in_patch {
+                    return Err(shared_only("seam", &seam.edges[0].patch));
+                }
+                document.seams.push(seam);
+            }
             Statement::PatchBegins(name) => {
                 document.patches.push(PatchBlock { name, statements: Statements::default() });
                 *in_patch = true;
@@ -146,10 +154,21 @@ impl Builder<'_> {
             }
             Rule::constraints => Statement::Constraints(self.constraints(parts)?),
             Rule::solve_line => Statement::Solve(self.solve(parts)?),
+            Rule::seam_line => {
+                let mut edges = parts.filter(|part| part.as_rule() == Rule::seam_edge);
+                let edges = [self.seam_edge(edges.next())?, self.seam_edge(edges.next())?];
+                Statement::Seam(Seam { edges, span: whole })
+            }
             Rule::patch_line => Statement::PatchBegins(self.take_name(&mut parts.into_iter())?),
             Rule::patch_end => Statement::PatchEnds,
             _ => return Err(internal()),
         })
+    }
+
+    fn seam_edge(&mut self, part: Option<Parsed<'_>>) -> Result<SeamEdge, Diagnostic> {
+        let mut inner = part.ok_or_else(internal)?.into_inner().filter(|part| part.as_rule() != Rule::kw_at);
+        let (patch, variable) = (self.take_name(&mut inner)?, self.take_name(&mut inner)?);
+        Ok(SeamEdge { patch, variable, position: self.take_expression(&mut inner)? })
     }
 
     fn parameter(&mut self, part: Parsed<'_>) -> Result<Parameter, Diagnostic> {

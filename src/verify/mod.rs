@@ -4,6 +4,13 @@
 //! the equation are evaluated here, from the problem's own expressions, by the interpreter, on a grid of the
 //! verifier's own. Nothing here knows how the surface was made: a method cannot grade itself.
 
+mod contact;
+mod join;
+mod seam;
+
+pub use join::{JoinDeviation, verify_joins};
+pub use seam::{Edge, SeamDeviation};
+
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::eval::{Backend, Program, Samples, compile};
 use crate::expr::{Derivative, ExprId, Graph, Notation};
@@ -186,10 +193,20 @@ fn evaluate(
     let us: Vec<f64> = u.iter().flat_map(|&u| v.iter().map(move |_| u)).collect();
     let vs: Vec<f64> = u.iter().flat_map(|_| v.iter().copied()).collect();
     let ts = vec![t; us.len()];
+    run(graph, expressions, bindings, Samples { u: &us, v: &vs, t: &ts })
+}
+
+/// The value of three expressions at samples, row after row.
+fn run(
+    graph: &Graph,
+    expressions: &[ExprId; 3],
+    bindings: &Bindings,
+    samples: Samples<'_>,
+) -> Result<Vec<f64>, Diagnostic> {
     let (evaluator, _) = compile(Program::compile(graph, expressions), Backend::Interpreter);
-    let mut values = vec![0.0; 3 * us.len()];
+    let mut values = vec![0.0; 3 * samples.u.len()];
     evaluator
-        .evaluate(bindings.as_slice(), Samples { u: &us, v: &vs, t: &ts }, &mut values)
+        .evaluate(bindings.as_slice(), samples, &mut values)
         .map_err(|error| Diagnostic::new(Code::SolutionNotFinite, error.to_string()))?;
     Ok(values)
 }

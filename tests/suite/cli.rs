@@ -1,6 +1,7 @@
 //! The command as its users run it: results, exit statuses, and what it leaves behind.
 
 mod notation;
+mod patches;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -449,81 +450,6 @@ fn a_link_is_followed_and_a_folder_is_left_alone() {
     let output = trimline(&["mesh", &spec, "-o", &folder.path("a.obj").to_string_lossy(), "--frames", "4"]);
     assert_eq!(status(&output), 2, "{}", text(&output.stderr));
     assert_eq!(folder.files(), ["a.0002.obj", "link.obj", "spec.trim", "target.obj"]);
-}
-
-const TWO: &str = "param r = 1
-patch low { at u = 0: S = [r cos v, r sin v, 0], dS/du = [0, 0, 1]; at u = 1: S = [cos v, sin v, 1], dS/du = [0, 0, 1] }
-patch high {
-    domain u in [1, 2]
-    at u = 1: S = [cos v, sin v, 1], dS/du = [0, 0, 1]
-    at u = 2: S = [cos v, sin v, 2], dS/du = [0, 0, 1]
-}
-";
-
-#[test]
-fn every_command_takes_all_patches_or_the_one_that_is_named() {
-    let folder = Folder::new();
-    let spec = folder.spec(TWO);
-    for command in ["check", "basis", "solve"] {
-        let names = |options: &[&str]| {
-            let arguments = [&[command, &spec, "--format", "json", "--quiet"], options].concat();
-            let report: Value = serde_json::from_str(&done(&trimline(&arguments))).expect("JSON");
-            let patches = report["patches"].as_array().expect("patches").clone();
-            patches.iter().map(|patch| patch["name"].as_str().expect("a name").to_owned()).collect::<Vec<_>>()
-        };
-        assert_eq!(names(&[]), ["low", "high"], "{command}");
-        assert_eq!(names(&["--patch", "high"]), ["high"], "{command}");
-        let output = trimline(&[command, &spec, "--patch", "middle"]);
-        assert_eq!(status(&output), 2, "{command}");
-        assert!(text(&output.stderr).contains("patches: low, high"), "{command}");
-    }
-}
-
-#[test]
-fn mesh_of_several_patches_has_an_object_for_each() {
-    let folder = Folder::new();
-    let (spec, target) = (folder.spec(TWO), folder.path("out.obj"));
-    done(&trimline(&["mesh", &spec, "-o", &target.to_string_lossy(), "--grid", "2x4"]));
-    let written = std::fs::read_to_string(&target).expect("a mesh");
-    let objects: Vec<&str> = written.lines().filter_map(|line| line.strip_prefix("o ")).collect();
-    assert_eq!(objects, ["low", "high"]);
-}
-
-#[test]
-fn points_of_several_patches_name_theirs() {
-    let folder = Folder::new();
-    let spec = folder.spec(TWO);
-    let run = |points: &str, options: &[&str]| {
-        trimline_reading(points, &[&["eval", &spec, "--points", "-"], options].concat())
-    };
-    assert_eq!(
-        done(&run("patch,u,v\nhigh,2,0\nlow,0,0\nhigh,1.5,0\n", &["--derivatives", "u"])),
-        "patch,u,v,x,y,z,x_u,y_u,z_u\nhigh,2,0,1.0,0.0,2.0,0.0,0.0,1.0\nlow,0,0,1.0,0.0,0.0,0.0,0.0,1.0\n\
-         high,1.5,0,1.0,0.0,1.5,0.0,0.0,1.0\n"
-    );
-    assert_eq!(done(&run("u,v\n2,0\n", &["--patch", "high"])), "u,v,x,y,z\n2,0,1.0,0.0,2.0\n");
-    for (points, expected, fragment) in [
-        ("u,v\n0,0\n", 2, "low, high"),
-        ("patch,u,v\nmiddle,0,0\n", 1, "no patch `middle`"),
-        ("patch,u,v\nhigh,0.5,0\n", 1, "outside the domain [1, 2]"),
-    ] {
-        let output = run(points, &[]);
-        assert_eq!(status(&output), expected, "{points}");
-        assert!(text(&output.stderr).contains(fragment), "{points}: {}", text(&output.stderr));
-    }
-}
-
-#[test]
-fn mesh_needs_an_instant_that_every_patch_has() {
-    let folder = Folder::new();
-    let target = folder.path("out.obj").to_string_lossy().into_owned();
-    let apart = TWO.replace("domain u in [1, 2]", "domain u in [1, 2], t in [2, 3]");
-    let output = trimline(&["mesh", &folder.spec(apart), "-o", &target]);
-    assert_eq!((status(&output), folder.files()), (1, vec!["spec.trim".to_owned()]));
-    let later = TWO.replace("domain u in [1, 2]", "domain u in [1, 2], t in [0.5, 3]");
-    let output = trimline(&["mesh", &folder.spec(later), "-o", &target]);
-    done(&output);
-    assert!(text(&output.stderr).contains("at t = 0.5"), "{}", text(&output.stderr));
 }
 
 #[test]

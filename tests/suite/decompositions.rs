@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use proptest::prelude::*;
-use trimline::decompose::Decomposition;
+use trimline::decompose::{Decomposition, decompose};
 use trimline::expr::{ExprId, Notation};
 use trimline::limits::Limits;
 use trimline::problem::Bindings;
@@ -70,7 +70,12 @@ fn resummation_error(text: &str, factors: &[f64], point: [f64; 2]) -> f64 {
 #[test]
 fn text_of_every_example_is_as_recorded() {
     for (name, text) in examples() {
-        insta::assert_snapshot!(name, unicode(&decomposition(&text)));
+        let problem = problem(&text);
+        for patch in &problem.patches {
+            let name = if problem.patches.len() == 1 { name.clone() } else { format!("{name}.{}", patch.name) };
+            let decomposition = decompose(&problem, patch, &Limits::default()).expect("an example");
+            insta::assert_snapshot!(name, unicode(&decomposition));
+        }
     }
 }
 

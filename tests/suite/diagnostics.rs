@@ -17,6 +17,7 @@ const ELSEWHERE: &[(Code, &str)] = &[
     (Code::NotFormatted, "a fault of `fmt` itself"),
     (Code::PointOutsideDomain, "points and instants of the command line"),
     (Code::BadPoints, "tables of points of the command line"),
+    (Code::SeamApart, "`check`, which solves the patches of a seam"),
     (Code::PromiseBroken, "tests of `Blend`, which judges solutions"),
     (Code::MethodPassedOver, "the choice of `auto`, which tests of methods make"),
     (Code::SeamOpens, "tests of the method `static_blend`"),

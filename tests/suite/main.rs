@@ -35,3 +35,4 @@ mod reference;
 mod robustness;
 mod spec;
 mod static_blend;
+mod surfaces;

@@ -7,13 +7,14 @@ use serde::Serialize;
 
 use trimline::expr::Notation;
 use trimline::problem::{Explanation, Patch, describe_condition};
-use trimline::verify::Verification;
+use trimline::verify::{JoinDeviation, Verification, verify_joins};
 
 use crate::Outcome;
 use crate::failure::{Failure, print_warnings};
 use crate::options::{Collocation, Format, Solving, Terminal};
 use crate::output;
-use crate::workflow::{Patched, Spec};
+use crate::seams::{self, SeamReport};
+use crate::workflow::{Patched, Spec, common_times};
 
 #[derive(Args)]
 pub struct Arguments {
@@ -31,9 +32,13 @@ pub struct Arguments {
     #[arg(long)]
     explain: bool,
 
-    /// Fail if the surface misses a prescribed position by more than this.
+    /// Fail if the surface misses a prescribed position, a joined surface or a seam by more than this.
     #[arg(long, value_name = "LENGTH")]
     max_gap: Option<f64>,
+
+    /// Fail if the surface meets a joined surface, or another patch at a seam, at a larger angle than this.
+    #[arg(long, value_name = "DEGREES")]
+    max_angle: Option<f64>,
 
     /// How to print.
     #[arg(long, value_enum, default_value_t = Format::Text)]
@@ -46,7 +51,7 @@ const INSTANTS: usize = 5;
 #[derive(Serialize)]
 struct Report {
     patches: Vec<PatchReport>,
-    seams: Vec<()>,
+    seams: Vec<SeamReport>,
     passed: bool,
 }
 
@@ -55,7 +60,7 @@ struct PatchReport {
     name: String,
     method: &'static str,
     boundaries: Vec<Boundary>,
-    joins: Vec<()>,
+    joins: Vec<Join>,
     pde_residual: f64,
     amplification: Option<f64>,
     times: Vec<f64>,
@@ -87,15 +92,41 @@ struct Boundary {
     max_error: f64,
 }
 
+/// How the patch meets a surface that it joins.
+#[derive(Serialize)]
+struct Join {
+    surface: String,
+    u: f64,
+    gap: f64,
+    tangent: Option<f64>,
+    angle_degrees: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    curvature: Option<f64>,
+    /// Points where the patch or the surface has no tangent plane.
+    without_normal: usize,
+}
+
+/// What one spec adds to the report, and the stated seams that are open.
+type Checked = (Vec<PatchReport>, Vec<SeamReport>, Option<Failure>);
+
 pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
-    if arguments.max_gap.is_some_and(|most| most.is_nan() || most < 0.0) {
-        return Err(Failure::Usage("--max-gap takes a length, 0 or more".to_owned()));
+    for (option, most) in [("--max-gap", arguments.max_gap), ("--max-angle", arguments.max_angle)] {
+        if most.is_some_and(|most| most.is_nan() || most < 0.0) {
+            return Err(Failure::Usage(format!("{option} takes a number, 0 or more")));
+        }
     }
     let mut report = Report { patches: Vec::new(), seams: Vec::new(), passed: true };
     let mut failures: Vec<Failure> = Vec::new();
     for path in &arguments.spec {
         match check(path, arguments, terminal) {
-            Ok(patches) => report.patches.extend(patches),
+            Ok((patches, seams, open)) => {
+                report.patches.extend(patches);
+                report.seams.extend(seams);
+                report.passed &= open.is_none();
+                if let Some(open) = open {
+                    open.print(terminal);
+                }
+            }
             Err(failure) => failures.push(failure),
         }
     }
@@ -104,10 +135,8 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
         failures.iter().for_each(|failure| failure.print(terminal));
         return Err(last);
     }
-    if let Some(most) = arguments.max_gap {
-        let gaps = report.patches.iter().flat_map(|patch| &patch.boundaries).filter(|boundary| boundary.order == 0);
-        report.passed = gaps.map(|boundary| boundary.max_error).all(|gap| gap <= most);
-    }
+    report.passed &= is_within(arguments.max_gap, gaps(&report).map(Some));
+    report.passed &= is_within(arguments.max_angle, angles(&report));
     match arguments.format {
         Format::Text => output::print(&text(&report))?,
         Format::Json => output::print_json(&report)?,
@@ -115,37 +144,105 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
     if report.passed { Ok(()) } else { Err(Failure::NotPassed) }
 }
 
-fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Vec<PatchReport>, Failure> {
+/// Whether all values are at most `most`; what has none, such as an angle without normals, is not shown to be small.
+fn is_within(most: Option<f64>, mut found: impl Iterator<Item = Option<f64>>) -> bool {
+    most.is_none_or(|most| found.all(|found| found.is_some_and(|found| found <= most)))
+}
+
+/// Every measured distance.
+fn gaps(report: &Report) -> impl Iterator<Item = f64> {
+    let boundaries = report.patches.iter().flat_map(|patch| &patch.boundaries).filter(|boundary| boundary.order == 0);
+    let joins = report.patches.iter().flat_map(|patch| &patch.joins).map(|join| join.gap);
+    boundaries.map(|boundary| boundary.max_error).chain(joins).chain(report.seams.iter().map(|seam| seam.gap))
+}
+
+/// Every measured angle.
+fn angles(report: &Report) -> impl Iterator<Item = Option<f64>> {
+    let joins = report.patches.iter().flat_map(|patch| &patch.joins).map(|join| join.angle_degrees);
+    joins.chain(report.seams.iter().map(|seam| seam.angle_degrees))
+}
+
+fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Checked, Failure> {
     let spec = Spec::read(path, &arguments.solving.reading)?;
     let mut reports = Vec::new();
-    for patch in &spec.patches {
-        let patched = spec.prepare(patch, &arguments.solving, arguments.collocation.points.as_deref())?;
+    let prepared: Vec<Patched> = spec
+        .patches
+        .iter()
+        .map(|patch| spec.prepare(patch, &arguments.solving, arguments.collocation.points.as_deref()))
+        .collect::<Result<_, _>>()?;
+    for patched in &prepared {
         let times = match arguments.solving.time {
             Some(_) => vec![patched.instant(arguments.solving.time)?],
             None => trimline::tessellate::instants(patched.prepared.domain.t, INSTANTS, &spec.limits)
                 .map_err(|finding| spec.fault(finding))?,
         };
         let mut worst: Option<Verification> = None;
+        let mut joins: Option<Vec<JoinDeviation>> = None;
         let mut method = "";
         let mut amplification: Option<f64> = None;
         for (index, &time) in times.iter().enumerate() {
-            let solved = spec.solve(&patched, time)?;
+            let solved = spec.solve(patched, time)?;
             method = solved.solution.report.method;
             let here = solved.solution.report.amplification;
             amplification = here.into_iter().chain(amplification).reduce(f64::max);
             if index == 0 {
                 print_warnings(&solved.solution.report.warnings, &spec.source, terminal);
             }
+            let at = (&spec.bindings, &patched.prepared.domain, time);
+            let met =
+                verify_joins(&spec.problem, patched.prepared.patch(), &*solved.solution.surface, at, &spec.limits);
+            let met = met.map_err(|finding| spec.fault(finding))?;
+            joins = Some(match joins {
+                Some(before) => before.into_iter().zip(&met).map(|(before, met)| before.worst(met)).collect(),
+                None => met,
+            });
             worst = Some(match worst {
                 Some(before) => before.worst(&solved.measured),
                 None => solved.measured,
             });
         }
         if let Some(worst) = worst {
-            let report = patch_report(&spec, &patched, method, &worst, times)?;
-            let explanation = if arguments.explain { Some(explanations(&spec, patch)?) } else { None };
-            reports.push(PatchReport { amplification, explanation, ..report });
+            let report = patch_report(&spec, patched, method, &worst, times)?;
+            let joins = join_reports(&spec, patched, joins.unwrap_or_default())?;
+            let explanation =
+                if arguments.explain { Some(explanations(&spec, patched.prepared.patch())?) } else { None };
+            reports.push(PatchReport { amplification, joins, explanation, ..report });
         }
+    }
+    let (seams, open) = match seam_times(arguments, &spec, &prepared)? {
+        Some(times) => seams::measure(&spec, &prepared, &times)?,
+        None => Default::default(),
+    };
+    let open = if open.is_empty() { None } else { Some(Failure::found(&spec.source, open)) };
+    Ok((reports, seams, open))
+}
+
+/// The instants at which seams are measured; `None` if there can be none.
+fn seam_times(arguments: &Arguments, spec: &Spec, patched: &[Patched]) -> Result<Option<Vec<f64>>, Failure> {
+    let range = common_times(patched).filter(|_| patched.len() > 1 || !spec.problem.seams.is_empty());
+    Ok(match (range, arguments.solving.time) {
+        (None, _) => None,
+        (Some(_), Some(time)) => Some(vec![time]),
+        (Some(range), None) => {
+            Some(trimline::tessellate::instants(range, INSTANTS, &spec.limits).map_err(|finding| spec.fault(finding))?)
+        }
+    })
+}
+
+fn join_reports(spec: &Spec, patched: &Patched, met: Vec<JoinDeviation>) -> Result<Vec<Join>, Failure> {
+    let mut reports = Vec::with_capacity(met.len());
+    for (join, met) in patched.prepared.patch().joins.iter().zip(met) {
+        let u = spec.bindings.constant(&spec.problem, join.u, None, "the position of a boundary");
+        let surface = spec.problem.surfaces.get(join.surface);
+        reports.push(Join {
+            surface: surface.map_or_else(String::new, |surface| surface.name.clone()),
+            u: u.map_err(|finding| spec.fault(finding))?,
+            gap: met.gap,
+            tangent: met.tangent,
+            angle_degrees: met.angle_degrees,
+            curvature: met.curvature,
+            without_normal: met.without_normal,
+        });
     }
     Ok(reports)
 }
@@ -202,12 +299,33 @@ fn text(report: &Report) -> String {
             let what = describe_condition(None, boundary.order, boundary.u);
             let _ = writeln!(text, "  {what:20} largest error {:.1e}", boundary.max_error);
         }
+        for join in &patch.joins {
+            let _ = writeln!(text, "  {:20} {}", format!("{} at u = {}", join.surface, join.u), join_text(join));
+        }
         let _ = writeln!(text, "  {:20} {:.1e} of the largest term", "PDE residual", patch.pde_residual);
     }
-    let _ = writeln!(
-        text,
-        "{}",
-        if report.passed { "passed" } else { "not passed: a position is missed by more than --max-gap" }
-    );
+    for SeamReport { between: [a, b], gap, angle_degrees, .. } in &report.seams {
+        let places = format!("{} at u = {} with {} at u = {}", a.patch, a.u, b.patch, b.u);
+        let _ = writeln!(text, "seam {places}: gap {gap:.1e}, {}", angle_text(*angle_degrees));
+    }
+    let _ = writeln!(text, "{}", if report.passed { "passed" } else { "not passed" });
     text
+}
+
+fn join_text(join: &Join) -> String {
+    let mut text = format!("gap {:.1e}, {}", join.gap, angle_text(join.angle_degrees));
+    if let Some(tangent) = join.tangent {
+        let _ = write!(text, ", unit tangents {tangent:.1e} apart");
+    }
+    if let Some(curvature) = join.curvature {
+        let _ = write!(text, ", curvatures {curvature:.1e} apart");
+    }
+    if join.without_normal > 0 {
+        let _ = write!(text, "; {} points without a normal", join.without_normal);
+    }
+    text
+}
+
+fn angle_text(angle: Option<f64>) -> String {
+    angle.map_or_else(|| "no normals to compare".to_owned(), |angle| format!("angle {angle:.1e}°"))
 }

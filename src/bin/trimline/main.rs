@@ -13,6 +13,7 @@ mod mesh;
 mod options;
 mod output;
 mod scenes;
+mod seams;
 mod solve;
 #[cfg(feature = "view")]
 mod view;
@@ -57,7 +58,7 @@ Exit status: 0 done; 1 the spec or the data are at fault, or a check failed; 2 w
 
 #[derive(Subcommand)]
 enum Command {
-    /// Reads, solves and measures: boundary error and residual of the equation.
+    /// Reads, solves and measures: boundaries, joins, seams, and the residual of the equation.
     Check(check::Arguments),
     /// Prints the decomposition: basis functions, coefficient vectors, needed derivatives.
     Basis(basis::Arguments),

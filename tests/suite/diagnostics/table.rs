@@ -37,7 +37,7 @@ pub const ROWS: &[Row] = &[
     (Data("v *"), UnexpectedText, "1:19", ",", "expected an expression, found `,`"),
     (Data("v * / t"), UnexpectedText, "1:20", "/", "expected an expression, found `/`"),
     (Before("S: [1, 2, 3]\n"), UnexpectedText, "1:2", ":", "at u = 0:"),
-    (Before("surface S1(u, v, t) = [u, v, t]\n"), UnexpectedText, "1:1", "surface", "reserved for a later version"),
+    (Before("curve C(v) = [v, v, 0]\n"), UnexpectedText, "1:1", "curve", "reserved for a later version"),
     (Before("foo bar\n"), UnexpectedText, "1:1", "foo", "found `foo`"),
     (Before("S_x = v\n"), UnexpectedText, "1:1", "S_x = v", "a constraint stands outside a boundary block"),
     (Data("sin πt/2"), AmbiguousExpression, "1:16", "sin πt/2", "sin((πt)/2)"),
