@@ -44,6 +44,8 @@ pub mod limits;
 pub mod method;
 pub mod numeric;
 pub mod problem;
+#[cfg(feature = "render")]
+pub mod render;
 pub mod resolve;
 pub mod surface;
 pub mod syntax;

@@ -18,6 +18,8 @@ mod exact;
 mod exports;
 mod language;
 mod meshes;
+#[cfg(feature = "render")]
+mod pictures;
 mod polynomial;
 mod reference;
 mod robustness;

@@ -10,6 +10,7 @@ mod failure;
 mod mesh;
 mod options;
 mod output;
+mod render;
 mod scenes;
 mod solve;
 mod workflow;
@@ -42,6 +43,8 @@ Examples:
   trimline mesh blend.trim -o blend.obj        the surface at the first instant
   trimline mesh blend.trim -o blend.obj --frames 11
                                                blend.0000.obj to blend.0010.obj
+  trimline render blend.trim -o blend.png --shade zebra
+                                               a picture
   trimline solve blend.trim --set h1=-2 --terms 7
                                                another param, another number of terms
   printf 'u,v\\n0.5,1\\n' | trimline eval blend.trim --points -
@@ -63,6 +66,8 @@ enum Command {
     Eval(eval::Arguments),
     /// Writes meshes and animations; the format by the extension of the file.
     Mesh(mesh::Arguments),
+    /// Draws a shaded picture, a sheet of pictures over time, or an animation: PNG or GIF.
+    Render(render::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -74,6 +79,7 @@ fn main() -> ExitCode {
         Command::Solve(arguments) => solve::run(&arguments, &terminal),
         Command::Eval(arguments) => eval::run(&arguments, &terminal),
         Command::Mesh(arguments) => mesh::run(&arguments, &terminal),
+        Command::Render(arguments) => render::run(&arguments, &terminal),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

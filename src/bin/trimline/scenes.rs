@@ -63,14 +63,14 @@ impl Scenes {
         Ok(Scenes { spec, patched, grid, quantities: quantities.to_vec() })
     }
 
-    /// The instants: those of `--frames`, or the one of `--time`.
-    pub fn times(&self, meshing: &Meshing) -> Result<Vec<f64>, Failure> {
+    /// As many instants as `frames` over the time domain, or the one that the user asked for.
+    pub fn times(&self, frames: Option<usize>, time: Option<f64>) -> Result<Vec<f64>, Failure> {
         let Some(first) = self.patched.first() else {
             let finding = Diagnostic::new(Code::EmptyDocument, "there is no patch to mesh");
             return Err(self.spec.fault(finding));
         };
-        match meshing.frames {
-            None => Ok(vec![first.instant(meshing.solving.time)?]),
+        match frames {
+            None => Ok(vec![first.instant(time)?]),
             Some(frames) => instants(first.prepared.domain.t, frames, &self.spec.limits)
                 .map_err(|finding| option_finding("frames", &frames.to_string(), finding)),
         }
