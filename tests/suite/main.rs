@@ -16,6 +16,7 @@ mod documents;
 mod evaluators;
 mod exact;
 mod exports;
+mod fields;
 mod language;
 mod meshes;
 #[cfg(feature = "render")]

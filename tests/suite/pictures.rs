@@ -215,3 +215,39 @@ fn pictures_that_cannot_be_drawn_are_refused() {
     assert_eq!(refusal(&Style { size: (usize::MAX, 16), ..plain.clone() }, 2), Code::LimitReached);
     assert!(Style { size: (8000, 8000), ..plain }.check(1, &Limits::default()).is_ok());
 }
+
+#[cfg(feature = "cli")]
+fn decoded(path: &std::path::Path) -> (u32, u32, Vec<u8>) {
+    let file = std::fs::File::open(path).expect("a picture");
+    let mut reader = png::Decoder::new(io::BufReader::new(file)).read_info().expect("a PNG");
+    let mut pixels = vec![0; reader.output_buffer_size().expect("a size")];
+    let frame = reader.next_frame(&mut pixels).expect("a frame");
+    (frame.width, frame.height, pixels)
+}
+
+#[cfg(feature = "cli")]
+#[test]
+fn pictures_of_the_documentation_show_what_the_program_draws() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    for line in include_str!("../../docs/pictures/commands.txt").lines() {
+        let (name, arguments) = line.split_once(' ').expect("a name and arguments");
+        let drawn = folder.path().join(name);
+        let output = std::process::Command::new(env!("CARGO_BIN_EXE_trimline"))
+            .arg("render")
+            .args(arguments.split_whitespace())
+            .arg("-o")
+            .arg(&drawn)
+            .current_dir(root)
+            .output()
+            .expect("the command starts");
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let stored = root.join("docs/pictures").join(name);
+        assert!(std::fs::metadata(&stored).expect("a picture").len() < 60_000, "{name} is too large for a page");
+        let ((width, height, expected), (drawn_width, drawn_height, found)) = (decoded(&stored), decoded(&drawn));
+        assert_eq!((width, height), (drawn_width, drawn_height), "{name}");
+        let different = expected.iter().zip(&found).filter(|(a, b)| a.abs_diff(**b) > 24).count();
+        // The last digits of the surface may change and move a pixel at an edge; nobody sees one in two hundred.
+        assert!(different <= expected.len() / 200, "{name}: {different} values; run docs/pictures/make");
+    }
+}
