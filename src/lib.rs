@@ -22,14 +22,14 @@
 //! # The pipeline
 //!
 //! ```text
-//! text ─syntax→ Document ─resolve→ Problem ─decompose→ Decomposition ─method→ Solution ─tessellate→ Scene ─export→ bytes
+//! text ─syntax→ Document ─resolve→ Problem ─decompose→ Decomposition ─method→ Solution ─tessellate→ Scene ─export, render→ bytes
 //!                                     expr (graph, derivatives) → eval (program → interpreter | machine code)
 //!                                                                      verify (judges any Surface)
 //! ```
 //!
 //! Every arrow is a function from values to a value: [`syntax::parse`], [`resolve::resolve`],
 //! [`decompose::decompose`], [`method::Method::prepare`] and [`method::Solver::solve`],
-//! [`tessellate::tessellate`], [`export::write`]. [`blend::Blend`] runs the first five. A module imports only
+//! [`tessellate::tessellate`], [`export::write`], and behind a feature `render::Renderer::draw`. [`blend::Blend`] runs the first five. A module imports only
 //! modules of lower rank; docs/ARCHITECTURE.md has the ranks.
 //!
 //! Faults are [`diagnostic::Diagnostic`]s with a stable code and a place. The library never panics on any input.
@@ -48,6 +48,8 @@ pub mod method;
 pub mod net;
 pub mod numeric;
 pub mod problem;
+#[cfg(feature = "render")]
+pub mod render;
 pub mod resolve;
 pub mod surface;
 pub mod syntax;

@@ -62,9 +62,9 @@ pub enum ExportError {
         /// The first instant at which it differs.
         time: f64,
     },
-    /// The instants of an animation do not ascend.
-    #[error("{format} needs ascending instants, and t = {time} is followed by t = {next}, the same to its precision")]
-    InstantsCoincide {
+    /// The instants of an animation do not ascend in the numbers of the format.
+    #[error("{format} cannot hold the instants t = {time} and t = {next} one after the other")]
+    UnfitInstants {
         /// The format.
         format: &'static str,
         /// An instant.
@@ -83,7 +83,7 @@ impl ExportError {
             ExportError::Io(_) | ExportError::Malformed { .. } | ExportError::NotOneInstant { .. } => diagnostic,
             ExportError::CoordinateTooLarge { .. } => diagnostic.hint("OBJ and PLY hold every coordinate"),
             ExportError::TopologyChanges { .. } => diagnostic.hint("leave the seams of closed surfaces open"),
-            ExportError::InstantsCoincide { .. } => diagnostic.hint("ask for fewer frames, or write NPZ or VTP"),
+            ExportError::UnfitInstants { .. } => diagnostic.hint("ask for fewer frames, or write NPZ or VTP"),
             ExportError::TooMany { .. } => diagnostic.hint("choose a coarser grid, or write fewer patches to a file"),
         }
     }

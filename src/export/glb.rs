@@ -77,9 +77,9 @@ fn input_times(frames: &[Scene]) -> Result<Vec<f32>, ExportError> {
     let times: Vec<f32> = frames.iter().map(|frame| (frame.time - start) as f32).collect();
     for (pair, exact) in times.windows(2).zip(frames.windows(2)) {
         if let ([time, next], [before, after]) = (pair, exact)
-            && time >= next
+            && !(time < next && next.is_finite())
         {
-            return Err(ExportError::InstantsCoincide { format: ROW.name, time: before.time, next: after.time });
+            return Err(ExportError::UnfitInstants { format: ROW.name, time: before.time, next: after.time });
         }
     }
     Ok(times)

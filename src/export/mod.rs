@@ -163,7 +163,7 @@ pub fn write(scene: &Scene, format: Format, out: &mut dyn Write) -> Result<Vec<D
     write_frames(std::slice::from_ref(scene), format, out)
 }
 
-/// Writes the instants of an animation, in ascending order, into one file; otherwise as [`write`].
+/// Writes the instants of an animation, in ascending order, into one file; otherwise as [`write()`].
 ///
 /// # Errors
 /// [`ExportError::Io`] when `out` fails, after any number of bytes; every other error before the first byte:

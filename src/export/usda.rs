@@ -46,15 +46,18 @@ fn write(frames: &[Scene], out: &mut dyn Write) -> Result<Vec<Diagnostic>, Expor
 
 /// How many frames one unit of t has.
 fn codes_per_second(frames: &[Scene]) -> Result<f64, ExportError> {
-    for pair in frames.windows(2) {
-        if let [before, after] = pair
-            && before.time >= after.time
-        {
-            return Err(ExportError::InstantsCoincide { format: ROW.name, time: before.time, next: after.time });
-        }
+    let unfit = |before: &Scene, after: &Scene| ExportError::UnfitInstants {
+        format: ROW.name,
+        time: before.time,
+        next: after.time,
+    };
+    if let Some([before, after]) = frames.array_windows().find(|[before, after]| before.time >= after.time) {
+        return Err(unfit(before, after));
     }
-    let ends = frames.first().zip(frames.last());
-    Ok(ends.map_or(1.0, |(first, last)| (frames.len() - 1) as f64 / (last.time - first.time)))
+    let Some((first, last)) = frames.first().zip(frames.last()) else { return Ok(1.0) };
+    let rate = (frames.len() - 1) as f64 / (last.time - first.time);
+    // A time domain may be as short or as long as doubles go.
+    if rate.is_finite() && rate > 0.0 { Ok(rate) } else { Err(unfit(first, last)) }
 }
 
 fn write_mesh(mesh: &Mesh, name: &str, frames: &[&Mesh], out: &mut dyn Write) -> io::Result<()> {

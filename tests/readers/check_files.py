@@ -18,6 +18,7 @@ import lib3mf
 import meshio
 import numpy as np
 import trimesh
+from PIL import Image
 from pxr import Sdf, Usd, UsdGeom, UsdValidation
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
@@ -210,9 +211,27 @@ def stl(case):
     near(distances.min(axis=0), np.zeros(len(found.vertices)), SINGLE * np.abs(case.positions[0]).max(), "vertices")
 
 
+def pictures(case):
+    def draw(name, *options):
+        path = case.folder / name
+        case.run("render", "-o", str(path), "--size", "80x60", "--quiet", *options)
+        return Image.open(path)
+
+    still = draw("still.png", "--shade", "zebra", "--lines", "4x8")
+    equal((still.size, still.mode, getattr(still, "n_frames", 1)), ((80, 60), "RGB", 1), "picture")
+    corner, middle = still.getpixel((0, 0)), still.getpixel((40, 30))
+    assert corner == (255, 255, 255) != middle, f"colours {corner} and {middle}"
+    equal(draw("sheet.png", "--frames", "5").size, (3 * 81 - 1, 2 * 61 - 1), "sheet")
+    for name, duration in [("moving.png", 50.0), ("moving.gif", 50)]:
+        moving = draw(name, "--animate", "--frames", "4", "--fps", "20")
+        equal((moving.size, moving.n_frames, moving.info["loop"]), ((80, 60), 4, 0), name)
+        moving.seek(3)
+        equal(moving.info["duration"], duration, f"duration in {name}")
+
+
 def main(trimline, examples):
     examples = pathlib.Path(examples)
-    readers = [glb, glb_still, usd, npz, vtp, threemf, ply, obj, stl]
+    readers = [glb, glb_still, usd, npz, vtp, threemf, ply, obj, stl, pictures]
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
         # A name that is neither ASCII nor a word.

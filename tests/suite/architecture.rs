@@ -295,7 +295,19 @@ fn every_module_of_the_library_has_a_rank() {
 fn library_without_default_features_has_no_dependency_of_the_command_line() {
     let manifest =
         std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.toml")).expect("a manifest");
-    for name in ["clap", "annotate-snippets", "anstream", "indicatif", "csv", "cranelift-jit"] {
+    for name in [
+        "clap",
+        "annotate-snippets",
+        "anstream",
+        "indicatif",
+        "csv",
+        "cranelift-jit",
+        "gif",
+        "npyz",
+        "png",
+        "quick-xml",
+        "zip",
+    ] {
         let line = manifest.lines().find(|line| line.starts_with(&format!("{name} = "))).expect("a dependency");
         assert!(line.contains("optional = true"), "{line}");
     }

@@ -326,6 +326,53 @@ fn more_animated_vertices_than_allowed_are_a_limit() {
 }
 
 #[test]
+fn pictures_sheets_and_animations_are_one_file_each() {
+    let folder = Folder::new();
+    let draw = |name: &str, options: &[&str]| {
+        let target = folder.path(name).to_string_lossy().into_owned();
+        let spec = example("eq19.trim");
+        let arguments = ["render", &spec, "-o", &target, "--grid", "8x16", "--size", "60x40"];
+        done(&trimline(&[&arguments[..], options].concat()));
+        std::fs::read(folder.path(name)).expect("written")
+    };
+    let still = draw("a.png", &["--shade", "curvature", "--lines", "4x4"]);
+    let sheet = draw("b.png", &["--frames", "5"]);
+    let animation = draw("c.png", &["--animate", "--frames", "3"]);
+    assert!(draw("d.gif", &["--animate", "--frames", "3"]).starts_with(b"GIF89a"));
+    let width = |png: &[u8]| u32::from_be_bytes(png[16..20].try_into().expect("four bytes"));
+    // Three columns of 60 with lines between them.
+    assert_eq!((width(&still), width(&sheet), width(&animation)), (60, 182, 60));
+    assert!(animation.windows(4).any(|window| window == b"acTL"));
+    assert_eq!(folder.files(), ["a.png", "b.png", "c.png", "d.gif"]);
+}
+
+#[test]
+fn pictures_that_cannot_be_drawn_leave_no_file() {
+    let cases: &[(&[&str], i32, &str)] = &[
+        (&["--size", "8x8"], 1, "too small"),
+        (&["--size", "100000x100000"], 4, "`pixels`"),
+        (&["--size", "big"], 2, "WxH"),
+        (&["--camera", "0,100"], 1, "--camera"),
+        (&["--camera", "left"], 2, "AZIMUTH,ELEVATION"),
+        (&["--lines", "0x3"], 1, "--lines"),
+        (&["--shade", "pink"], 2, "pink"),
+        (&["--fps", "0"], 2, "fps"),
+        (&["--animate", "--time", "0.1"], 2, "--time"),
+        (&["--frames", "3", "--size", "5000x5000"], 4, "`pixels`"),
+    ];
+    for (options, expected, fragment) in cases {
+        let folder = Folder::new();
+        let target = folder.path("out.png").to_string_lossy().into_owned();
+        let spec = example("eq19.trim");
+        let output = trimline(&[&["render", &spec, "-o", &target][..], options].concat());
+        let errors = text(&output.stderr);
+        assert_eq!(status(&output), *expected, "{options:?}: {errors}");
+        assert!(errors.contains(fragment), "{options:?}: {errors}");
+        assert!(folder.files().is_empty(), "{options:?}");
+    }
+}
+
+#[test]
 fn fields_for_a_format_without_them_are_wrong_usage() {
     let folder = Folder::new();
     let target = folder.path("out.stl").to_string_lossy().into_owned();

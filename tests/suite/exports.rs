@@ -340,10 +340,23 @@ fn glb_of_two_patches_animates_a_named_node_for_each() {
 #[cfg(feature = "formats")]
 #[test]
 fn glb_of_instants_that_single_precision_cannot_tell_apart_is_refused() {
-    let mut frames = frames_of_two_patches();
-    frames[2].time = 0.1 + 1e-9;
-    let error = trimline::export::write_frames(&frames, Format::Glb, &mut Vec::new()).unwrap_err();
-    assert!(matches!(error, ExportError::InstantsCoincide { .. }), "{error}");
+    for last in [0.1 + 1e-9, 1e39] {
+        let mut frames = frames_of_two_patches();
+        frames[2].time = last;
+        let error = trimline::export::write_frames(&frames, Format::Glb, &mut Vec::new()).unwrap_err();
+        assert!(matches!(error, ExportError::UnfitInstants { .. }), "{error}");
+    }
+}
+
+#[cfg(feature = "formats")]
+#[test]
+fn usda_of_instants_without_a_rate_is_refused() {
+    for times in [[0.0, 0.0, 1.0], [0.0, 1e-320, 2e-320], [-f64::MAX, 0.0, f64::MAX]] {
+        let mut frames = frames_of_two_patches();
+        frames.iter_mut().zip(times).for_each(|(frame, time)| frame.time = time);
+        let error = trimline::export::write_frames(&frames, Format::Usda, &mut Vec::new()).unwrap_err();
+        assert!(matches!(error, ExportError::UnfitInstants { .. }), "{error}");
+    }
 }
 
 #[cfg(feature = "formats")]

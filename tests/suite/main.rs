@@ -20,6 +20,7 @@ mod evaluators;
 mod exact;
 mod explanation;
 mod exports;
+mod fields;
 mod fitting;
 mod formatting;
 mod fourier;
@@ -30,6 +31,8 @@ mod meshes;
 mod net;
 mod operators;
 mod patches;
+#[cfg(feature = "render")]
+mod pictures;
 mod polynomial;
 mod reference;
 mod robustness;

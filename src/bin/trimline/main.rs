@@ -12,6 +12,7 @@ mod fmt;
 mod mesh;
 mod options;
 mod output;
+mod render;
 mod scenes;
 mod seams;
 mod solve;
@@ -47,6 +48,8 @@ Examples:
   trimline mesh blend.trim -o blend.obj        the surface at the first instant
   trimline mesh blend.trim -o blend.obj --frames 11
                                                blend.0000.obj to blend.0010.obj
+  trimline render blend.trim -o blend.png --shade zebra
+                                               a picture
   trimline solve blend.trim --set h1=-2 --terms 7
                                                another param, another number of terms
   printf 'u,v\\n0.5,1\\n' | trimline eval blend.trim --points -
@@ -70,6 +73,8 @@ enum Command {
     Fmt(fmt::Arguments),
     /// Writes meshes and animations; the format by the extension of the file.
     Mesh(mesh::Arguments),
+    /// Draws a shaded picture, a sheet of pictures over time, or an animation: PNG or GIF.
+    Render(render::Arguments),
     /// Writes the solved surface as source code: GLSL, WGSL, C, Rust or NumPy.
     Emit(emit::Arguments),
     /// Serves the interactive view on this machine: sliders, time, shading; follows the file as it is edited.
@@ -87,6 +92,7 @@ fn main() -> ExitCode {
         Command::Eval(arguments) => eval::run(&arguments, &terminal),
         Command::Fmt(arguments) => fmt::run(&arguments, &terminal),
         Command::Mesh(arguments) => mesh::run(&arguments, &terminal),
+        Command::Render(arguments) => render::run(&arguments, &terminal),
         Command::Emit(arguments) => emit::run(&arguments, &terminal),
         #[cfg(feature = "view")]
         Command::View(arguments) => view::run(arguments, &terminal),

@@ -47,7 +47,7 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
         return Err(Failure::Usage(message));
     }
     let mut scenes = Scenes::read(&arguments.spec, &arguments.meshing, &arguments.fields)?;
-    let times = scenes.times(&arguments.meshing)?;
+    let times = scenes.times(arguments.meshing.frames, arguments.meshing.solving.time)?;
     let (written, last) = if format.is_animated() {
         one_file(arguments, format, &mut scenes, &times, terminal)?
     } else {

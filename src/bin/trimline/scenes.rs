@@ -8,7 +8,8 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use trimline::diagnostic::{Code, Diagnostic};
 use trimline::method::Solution;
-use trimline::tessellate::{Field, Grid, Mesh, Scene, curvatures, instants, tessellate};
+use trimline::surface::{Surface, SymbolicSurface};
+use trimline::tessellate::{Field, Grid, Mesh, Role, Scene, curvatures, instants, tessellate};
 use trimline::verify::residuals;
 
 use crate::failure::{Failure, print_warnings};
@@ -31,6 +32,10 @@ pub struct Meshing {
     /// As many instants over the time domain, both ends included.
     #[arg(long, value_name = "N", conflicts_with = "time")]
     pub frames: Option<usize>,
+
+    /// Also the primary surfaces, each as an object of its own.
+    #[arg(long)]
+    with_surfaces: bool,
 }
 
 /// Numbers at the vertices.
@@ -48,6 +53,7 @@ pub struct Scenes {
     patched: Vec<Patched>,
     grid: Grid,
     quantities: Vec<Quantity>,
+    with_surfaces: bool,
 }
 
 impl Scenes {
@@ -60,17 +66,18 @@ impl Scenes {
         let patched: Result<Vec<Patched>, Failure> =
             spec.patches.iter().map(|patch| spec.prepare(patch, &meshing.solving, points)).collect();
         let patched = patched?;
-        Ok(Scenes { spec, patched, grid, quantities: quantities.to_vec() })
+        Ok(Scenes { spec, patched, grid, quantities: quantities.to_vec(), with_surfaces: meshing.with_surfaces })
     }
 
-    /// The instants: those of `--frames`, or the one of `--time`; at all of them every patch has a shape.
-    pub fn times(&self, meshing: &Meshing) -> Result<Vec<f64>, Failure> {
+    /// As many instants as `frames` over the time domain, or the one that the user asked for; at all of them every patch
+    /// has a shape.
+    pub fn times(&self, frames: Option<usize>, time: Option<f64>) -> Result<Vec<f64>, Failure> {
         let range = common_times(&self.patched).ok_or_else(|| {
             let finding = Diagnostic::new(Code::EmptyDomain, "no instant lies in the time domain of every patch");
             self.spec.fault(finding.hint("choose patches with --patch, or state one `domain t in [..]` for all"))
         })?;
-        match meshing.frames {
-            None => match meshing.solving.time {
+        match frames {
+            None => match time {
                 None => Ok(vec![range[0]]),
                 time => {
                     let times = self.patched.iter().map(|patch| patch.instant(time));
@@ -97,7 +104,48 @@ impl Scenes {
             warnings.extend(solution.report.warnings);
             warnings.extend(notes);
         }
+        if self.with_surfaces {
+            self.add_surfaces(&mut scene)?;
+        }
         Ok((scene, warnings))
+    }
+
+    /// Adds the primary surfaces over their stated ranges; over those of the first patch where none is stated.
+    fn add_surfaces(&self, scene: &mut Scene) -> Result<(), Failure> {
+        let (Some(first), spec) = (self.patched.first(), &self.spec) else { return Ok(()) };
+        let constant = |expr| {
+            let value = spec.bindings.constant(&spec.problem, expr, None, "the range of a surface's parameter");
+            value.map_err(|finding| spec.fault(finding))
+        };
+        for primary in &spec.problem.surfaces {
+            let mut ranges = [first.prepared.domain.u, first.prepared.domain.v];
+            for (range, stated) in ranges.iter_mut().zip(primary.ranges) {
+                if let Some([low, high]) = stated {
+                    *range = [constant(low)?, constant(high)?];
+                }
+            }
+            let surface = SymbolicSurface::new(&spec.problem, primary, &spec.bindings, &spec.limits);
+            let tessellated = tessellate(&primary.name, &surface, ranges.into(), scene.time, self.grid);
+            let (mut mesh, _) = tessellated.map_err(|finding| spec.fault(finding.at(primary.origin)))?;
+            mesh.role = Role::Primary;
+            mesh.fields = self.fields_of_primary(&surface, &mesh, scene.time).map_err(|finding| spec.fault(finding))?;
+            scene.meshes.push(mesh);
+        }
+        Ok(())
+    }
+
+    /// The fields that patches have; a given surface has no residual.
+    fn fields_of_primary(&self, surface: &dyn Surface, mesh: &Mesh, time: f64) -> Result<Vec<Field>, Diagnostic> {
+        let mut fields = Vec::new();
+        for quantity in &self.quantities {
+            match quantity {
+                Quantity::Curvature => fields.extend(curvatures(surface, mesh, time)?),
+                Quantity::Residual => {
+                    fields.push(Field { name: "residual", values: vec![f64::NAN; mesh.positions.len()] });
+                }
+            }
+        }
+        Ok(fields)
     }
 
     /// All instants with one topology, for an animation; says what is to be said about the first.
