@@ -21,6 +21,12 @@ pub enum ExportError {
         /// The vertex, the quad, or how many there are.
         at: usize,
     },
+    /// A face has shrunk to a point.
+    #[error("the face `{face}` has shrunk to a point")]
+    Collapsed {
+        /// The face.
+        face: String,
+    },
     /// A coordinate is too large for the numbers of the format.
     #[error("{format} holds coordinates up to {largest:e}, and mesh `{mesh}` has {value:e}")]
     CoordinateTooLarge {
@@ -54,6 +60,9 @@ impl ExportError {
         let diagnostic = Diagnostic::new(Code::OutputFailed, self.to_string());
         match self {
             ExportError::Io(_) | ExportError::Malformed { .. } => diagnostic,
+            ExportError::Collapsed { .. } => {
+                diagnostic.hint("leave this patch out with `--patch`, or change its boundary")
+            }
             ExportError::CoordinateTooLarge { .. } => diagnostic.hint("OBJ and PLY hold every coordinate"),
             ExportError::TooMany { .. } => diagnostic.hint("choose a coarser grid, or write fewer patches to a file"),
         }

@@ -7,6 +7,7 @@ mod basis;
 mod check;
 mod eval;
 mod failure;
+mod fit;
 mod mesh;
 mod options;
 mod output;
@@ -41,6 +42,8 @@ Examples:
   trimline mesh blend.trim -o blend.obj        the surface at the first instant
   trimline mesh blend.trim -o blend.obj --frames 11
                                                blend.0000.obj to blend.0010.obj
+  trimline fit blend.trim -o blend.step --tolerance 1e-6
+                                               B-splines for CAD programs
   trimline solve blend.trim --set h1=-2 --terms 7
                                                another param, another number of terms
   printf 'u,v\\n0.5,1\\n' | trimline eval blend.trim --points -
@@ -62,6 +65,8 @@ enum Command {
     Eval(eval::Arguments),
     /// Writes meshes: OBJ, PLY or STL by the file's extension.
     Mesh(mesh::Arguments),
+    /// Writes B-splines for CAD programs: STEP, IGES or JSON by the file's extension.
+    Fit(fit::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -73,6 +78,7 @@ fn main() -> ExitCode {
         Command::Solve(arguments) => solve::run(&arguments, &terminal),
         Command::Eval(arguments) => eval::run(&arguments, &terminal),
         Command::Mesh(arguments) => mesh::run(&arguments, &terminal),
+        Command::Fit(arguments) => fit::run(arguments, &terminal),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
