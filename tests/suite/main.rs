@@ -7,8 +7,11 @@ mod accuracy;
 mod analytic;
 mod architecture;
 mod bspline;
+mod cad;
 #[cfg(feature = "cli")]
 mod cli;
+#[cfg(feature = "cli")]
+mod cli_fit;
 mod decompositions;
 mod derivatives;
 mod diagnostics;
