@@ -13,9 +13,10 @@ use trimline::diagnostic::{Diagnostics, Source};
 use trimline::expr::Derivative;
 use trimline::limits::Limits;
 use trimline::method::{Options, Settings, choose};
+use trimline::net::fill;
 use trimline::problem::Bindings;
 use trimline::resolve::resolve;
-use trimline::surface::Surface;
+use trimline::surface::{KnotVector, Surface};
 use trimline::syntax;
 use trimline::tessellate::{Grid, tessellate};
 
@@ -75,5 +76,13 @@ fn stages(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, stages);
+/// The largest net of docs/bspline.md.
+fn nets(criterion: &mut Criterion) {
+    let Ok(knots) = KnotVector::clamped_uniform(3, 501) else { return };
+    let place = |index: usize| [(index % 501) as f64, (index / 501) as f64, libm::sin(index as f64)];
+    let layers: Vec<[f64; 3]> = (0..501 * 501).map(place).collect();
+    criterion.bench_function("fill a net of 501x501", |b| b.iter(|| fill(&knots, &knots, black_box(&layers))));
+}
+
+criterion_group!(benches, stages, nets);
 criterion_main!(benches);

@@ -49,14 +49,10 @@ fn around(radius: f64, height: f64) -> Result<BsplineCurve, Diagnostic> {
     };
     let mut points: Vec<[f64; 3]> = knots.greville().into_iter().map(turn).collect();
     // The closing point lies between its neighbours, so that the tangent closes too.
-    if let ([first, second, ..], [.., before, last]) = (points.clone().as_slice(), points.as_mut_slice()) {
-        let middle =
-            [0, 1, 2].map(|axis: usize| 0.5 * (second.get(axis).unwrap_or(&0.0) + before.get(axis).unwrap_or(&0.0)));
-        let _ = first;
-        *last = middle;
-    }
-    if let [first, .., last] = points.as_mut_slice() {
-        *first = *last;
+    if let [first, second, .., before, last] = points.as_mut_slice() {
+        let [[ax, ay, az], [bx, by, bz]] = [*second, *before];
+        *first = [0.5 * (ax + bx), 0.5 * (ay + by), 0.5 * (az + bz)];
+        *last = *first;
     }
     BsplineCurve::new(knots, points)
 }
