@@ -12,10 +12,11 @@ use trimline::decompose::decompose;
 use trimline::diagnostic::{Diagnostics, Source};
 use trimline::expr::Derivative;
 use trimline::limits::Limits;
-use trimline::method::{Options, Settings, choose};
+use trimline::method::{METHODS, Method, Options, Settings};
+use trimline::net::fill;
 use trimline::problem::Bindings;
 use trimline::resolve::resolve;
-use trimline::surface::Surface;
+use trimline::surface::{KnotVector, Surface};
 use trimline::syntax;
 use trimline::tessellate::{Grid, tessellate};
 
@@ -28,6 +29,10 @@ fn first_point(source: &Source) -> Result<[f64; 3], Diagnostics> {
     let mut point = [[0.0; 3]];
     solution.surface.evaluate(Derivative::NONE, &[[0.5, 1.0, 0.5]], &mut point).map_err(one)?;
     Ok(point.into_iter().next().unwrap_or_default())
+}
+
+fn method_called(name: &str) -> &'static dyn Method {
+    METHODS.iter().copied().find(|method| method.name() == name).expect("the name is that of a method")
 }
 
 fn stages(criterion: &mut Criterion) {
@@ -46,7 +51,7 @@ fn stages(criterion: &mut Criterion) {
 
     let settings = Settings::read(&patch.solve.settings).expect("the example's settings are valid");
     let options = Options { settings, ..Options::default() };
-    let method = choose(Some("sine"), None, &decomposition, &limits).expect("the method accepts the example");
+    let method = method_called("sine");
     group.bench_function("prepare", |b| b.iter(|| method.prepare(black_box(&decomposition), &options)));
 
     let solver = method.prepare(&decomposition, &options).expect("the example can be prepared");
@@ -62,7 +67,7 @@ fn stages(criterion: &mut Criterion) {
     });
 
     for name in ["exact", "sine"] {
-        let method = choose(Some(name), None, &decomposition, &limits).expect("both methods accept the example");
+        let method = method_called(name);
         let settings = Settings::read(&patch.solve.settings).expect("the example's settings are valid");
         let options = Options { settings: settings.only(method.settings()), ..Options::default() };
         let solver = method.prepare(&decomposition, &options).expect("the example can be prepared");
@@ -101,5 +106,13 @@ fn long_documents(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, stages, long_documents);
+/// The largest net of docs/bspline.md.
+fn nets(criterion: &mut Criterion) {
+    let Ok(knots) = KnotVector::clamped_uniform(3, 501) else { return };
+    let place = |index: usize| [(index % 501) as f64, (index / 501) as f64, libm::sin(index as f64)];
+    let layers: Vec<[f64; 3]> = (0..501 * 501).map(place).collect();
+    criterion.bench_function("fill a net of 501x501", |b| b.iter(|| fill(&knots, &knots, black_box(&layers))));
+}
+
+criterion_group!(benches, stages, long_documents, nets);
 criterion_main!(benches);

@@ -22,6 +22,12 @@ pub enum ExportError {
         /// The vertex, the quad, or how many there are.
         at: usize,
     },
+    /// A face has shrunk to a point.
+    #[error("the face `{face}` has shrunk to a point")]
+    Collapsed {
+        /// The face.
+        face: String,
+    },
     /// A coordinate is too large for the numbers of the format.
     #[error("{format} holds coordinates up to {largest:e}, and mesh `{mesh}` has {value:e}")]
     CoordinateTooLarge {
@@ -81,6 +87,9 @@ impl ExportError {
         let diagnostic = Diagnostic::new(Code::OutputFailed, self.to_string());
         match self {
             ExportError::Io(_) | ExportError::Malformed { .. } | ExportError::NotOneInstant { .. } => diagnostic,
+            ExportError::Collapsed { .. } => {
+                diagnostic.hint("leave this patch out with `--patch`, or change its boundary")
+            }
             ExportError::CoordinateTooLarge { .. } => diagnostic.hint("OBJ and PLY hold every coordinate"),
             ExportError::TopologyChanges { .. } => diagnostic.hint("leave the seams of closed surfaces open"),
             ExportError::UnfitInstants { .. } => diagnostic.hint("ask for fewer frames, or write NPZ or VTP"),

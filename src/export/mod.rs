@@ -1,7 +1,7 @@
-//! Writes a [`Scene`] in the formats other programs read.
+//! Writes a [`Scene`] of meshes, or B-spline surfaces, in the formats other programs read.
 //!
 //! Input: a scene, or the scenes of an animation; output: the bytes of one file, in any [`Write`]. [`Format`] is the
-//! registry: a new format is one file with a `ROW`, and one variant here.
+//! registry: a new format is one file with a `ROW`, and one variant here. B-splines go through [`write_cad`].
 //!
 //! Invariant: the scene is checked before the first byte, so what is written is finite and its indices are in
 //! range, and equal scenes give equal bytes.
@@ -9,6 +9,7 @@
 //! Absent on purpose: paths and files (the caller makes a file complete or absent), the time of day, and
 //! anything that a format cannot say and would need a second file for.
 
+mod cad;
 mod error;
 #[cfg(feature = "formats")]
 mod glb;
@@ -28,6 +29,7 @@ mod vtp;
 #[cfg(feature = "formats")]
 mod zipped;
 
+pub use cad::{CadFormat, Face, Schema, write_cad};
 pub use error::ExportError;
 #[cfg(feature = "formats")]
 pub use vtp::write_pvd;

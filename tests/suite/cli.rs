@@ -10,14 +10,14 @@ use std::process::{Command, Output, Stdio};
 use serde_json::Value;
 
 /// A folder that goes away with the test.
-struct Folder(tempfile::TempDir);
+pub struct Folder(tempfile::TempDir);
 
 impl Folder {
-    fn new() -> Folder {
+    pub fn new() -> Folder {
         Folder(tempfile::tempdir().expect("a temporary folder can be made"))
     }
 
-    fn path(&self, name: &str) -> PathBuf {
+    pub fn path(&self, name: &str) -> PathBuf {
         self.0.path().join(name)
     }
 
@@ -27,7 +27,7 @@ impl Folder {
         path.to_string_lossy().into_owned()
     }
 
-    fn files(&self) -> Vec<String> {
+    pub fn files(&self) -> Vec<String> {
         let entries = std::fs::read_dir(self.0.path()).expect("the folder can be read");
         let mut names: Vec<String> =
             entries.map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned()).collect();
@@ -36,7 +36,7 @@ impl Folder {
     }
 }
 
-fn trimline(arguments: &[&str]) -> Output {
+pub fn trimline(arguments: &[&str]) -> Output {
     trimline_reading("", arguments)
 }
 
@@ -53,20 +53,20 @@ fn trimline_reading(input: &str, arguments: &[&str]) -> Output {
     child.wait_with_output().expect("the command ends")
 }
 
-fn text(bytes: &[u8]) -> String {
+pub fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
 }
 
-fn status(output: &Output) -> i32 {
+pub fn status(output: &Output) -> i32 {
     output.status.code().expect("the command was not killed")
 }
 
-fn done(output: &Output) -> String {
+pub fn done(output: &Output) -> String {
     assert_eq!(status(output), 0, "{}", text(&output.stderr));
     text(&output.stdout)
 }
 
-fn example(name: &str) -> String {
+pub fn example(name: &str) -> String {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("examples").join(name).to_string_lossy().into_owned()
 }
 

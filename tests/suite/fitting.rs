@@ -111,7 +111,7 @@ fn eq19_at_its_instant_is_fitted_to_a_millionth() {
     let settings = Settings { tolerance: Some(1e-6), ..Settings::default() };
     let fits = fit(&[target], 0.2, &settings, &Limits::default()).unwrap_or_else(|found| panic!("{found}"));
     let apart = apart(&*solution.surface, &fits[0].surface, 0.2);
-    assert!(apart <= 1e-6 && apart >= 1e-8, "{apart:.1e}");
+    assert!((1e-8..=1e-6).contains(&apart), "{apart:.1e}");
     assert!(fits[0].is_closed_in_v);
     assert!(fits[0].edge_deviation <= 1e-6);
     assert!(fits[0].tangent_deviation <= 1e-4, "{:.1e}", fits[0].tangent_deviation);

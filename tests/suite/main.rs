@@ -7,9 +7,12 @@ mod accuracy;
 mod analytic;
 mod architecture;
 mod bspline;
+mod cad;
 mod choice;
 #[cfg(feature = "cli")]
 mod cli;
+#[cfg(feature = "cli")]
+mod cli_fit;
 mod decompositions;
 mod derivatives;
 mod diagnostics;

@@ -8,6 +8,7 @@ mod check;
 mod emit;
 mod eval;
 mod failure;
+mod fit;
 mod fmt;
 mod mesh;
 mod options;
@@ -50,6 +51,8 @@ Examples:
                                                blend.0000.obj to blend.0010.obj
   trimline render blend.trim -o blend.png --shade zebra
                                                a picture
+  trimline fit blend.trim -o blend.step --tolerance 1e-6
+                                               B-splines for CAD programs
   trimline solve blend.trim --set h1=-2 --terms 7
                                                another param, another number of terms
   printf 'u,v\\n0.5,1\\n' | trimline eval blend.trim --points -
@@ -75,6 +78,8 @@ enum Command {
     Mesh(mesh::Arguments),
     /// Draws a shaded picture, a sheet of pictures over time, or an animation: PNG or GIF.
     Render(render::Arguments),
+    /// Writes B-splines for CAD programs: STEP, IGES or JSON by the file's extension.
+    Fit(fit::Arguments),
     /// Writes the solved surface as source code: GLSL, WGSL, C, Rust or NumPy.
     Emit(emit::Arguments),
     /// Serves the interactive view on this machine: sliders, time, shading; follows the file as it is edited.
@@ -93,6 +98,7 @@ fn main() -> ExitCode {
         Command::Fmt(arguments) => fmt::run(&arguments, &terminal),
         Command::Mesh(arguments) => mesh::run(&arguments, &terminal),
         Command::Render(arguments) => render::run(&arguments, &terminal),
+        Command::Fit(arguments) => fit::run(arguments, &terminal),
         Command::Emit(arguments) => emit::run(&arguments, &terminal),
         #[cfg(feature = "view")]
         Command::View(arguments) => view::run(arguments, &terminal),

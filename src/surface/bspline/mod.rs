@@ -3,8 +3,8 @@
 //! A surface is `S(u, v) = Σ_ij N_i(u) M_j(v) P_ij` over two knot vectors; it does not depend on t. Weights are absent:
 //! nothing here is rational.
 //!
-//! Own code and not a library of NURBS: those known to us index without checks and panic on knots that are none, where
-//! a text decides the knots here; and what is needed of them is this folder.
+//! Own code and not a library of NURBS: a text decides the knots here, so each refusal is a finding with a code; and what
+//! is needed is this folder (docs/bspline.md, Decisions).
 
 mod curve;
 mod insertion;
