@@ -248,6 +248,24 @@ fn wide_space_separates_equations_without_a_comma() {
 }
 
 #[test]
+fn equation_number_behind_a_wide_space_is_no_factor() {
+    let block = r"$$ u = 0, \\ S = \begin{bmatrix} \cos v \\ 0 \\ 0 \end{bmatrix} \quad (13) \\
+\frac{\partial S}{\partial u} = 0, (14a) \\ u = 1: \quad S = 0 \qquad \frac{\partial S}{\partial u} = 0. (15) $$";
+    assert_eq!(basis(block), basis(&with_data("cos v")));
+    let found = refused("$$ u = 0, S_x = v (13) $$");
+    assert_eq!(found[0].code, Code::AmbiguousExpression);
+    assert!(found[0].hints[0].contains(r"\tag{13}"), "{found:?}");
+}
+
+#[test]
+fn block_inside_a_line_stands_apart_from_what_is_beside_it() {
+    for (mixed, plain) in [("a$$t$$b_12", "a*t*b12"), ("2$$v$$", "2*v"), ("$$a$$$$t$$", "a*t")] {
+        let text = |value: &str| format!("{NAMES}{}", with_data(value));
+        assert_eq!(basis(&text(mixed)), basis(&text(plain)), "{mixed}");
+    }
+}
+
+#[test]
 fn array_in_brackets_is_a_vector() {
     let block = r"$$ u = 0, \quad S = \left[\begin{array}{c} \cos v \\ 0 \\ 0 \end{array}\right], \quad \frac{dS}{du} = 0 \\
 u = 1, \quad S = 0, \quad \frac{\mathrm{d} S}{\mathrm{d} u} = 0 $$";
