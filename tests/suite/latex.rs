@@ -181,6 +181,11 @@ fn fractions_roots_and_powers_have_their_groups() {
     same(r"e^{-t}\, e^t v^{a b}", "exp(-t)*exp(t)*v^(a*b)");
     same(r"2 \cdot 10^{-3} v + 10^{2}", "2e-3*v + 1e2");
     same(r"v/2 \cdot 10^{3}", "(v/2)*1000");
+    same(r"\sin 2 \cdot 10^{3} v", "sin(2)*1000*v");
+    same(
+        r"\sqrt{2}v + \sin{v}t + e^t(1 + v) + \frac{1}{2}\cos 2\pi v",
+        "sqrt(2)*v + sin(v)*t + e^t*(1 + v) + cos(2*pi*v)/2",
+    );
     same("v^2t", "v^2*t");
     same("v^{-1}", "1/v");
     same("{v + t}k", "(v + t)*k");

@@ -294,13 +294,19 @@ impl<'a> Block<'a> {
         Ok(())
     }
 
-    /// A number; `2 \cdot 10^{-3}` is the number `2e-3`, to the last digit, unless it stands behind a fraction bar.
+    /// A number; `2 \cdot 10^{-3}` is the number `2e-3`, to the last digit, where it begins a term: in
+    /// `\sin 2 \cdot 10^{-3}` and `v/2 \cdot 10^{-3}` the dot is an operator like any other.
     fn number(&mut self, token: &Token<'a>) {
-        let is_divisor = self.previous.is_some_and(|before| before.is_symbol("/") || before.is_command("div"));
+        let begins_term = self.previous.is_none_or(|before| match before.kind {
+            TokenKind::Open | TokenKind::Break | TokenKind::LineEnd => true,
+            TokenKind::Symbol => "+-−=,;([&".contains(before.text),
+            TokenKind::Command => ["quad", "qquad", "begin", "{"].iter().any(|name| before.is_command(name)),
+            _ => false,
+        });
         let mantissa = if token.text == "10" { Some("1") } else { None };
         let power = match mantissa {
             Some(_) => self.power_of_ten(token.span.end),
-            None if is_divisor => None,
+            None if !begins_term => None,
             None => {
                 let sign = self.peek().filter(|sign| sign.is_command("cdot") || sign.is_command("times"));
                 let ten = sign.and_then(|sign| token::next(self.source, sign.span.end));
