@@ -36,7 +36,9 @@ pub fn refuse_ambiguous_neighbours(
     (right, right_span): (&str, Span),
 ) -> Result<(), Diagnostic> {
     let touches = left_span.end == right_span.start;
-    let exponent = left.strip_prefix("e^").filter(|exponent| {
+    let compact: String = left.chars().filter(|c| !c.is_whitespace()).collect();
+    let exponent = compact.replace("**", "^");
+    let exponent = exponent.strip_prefix("e^").filter(|exponent| {
         exponent.trim_start_matches(['-', '−', '+']).chars().all(|c| c.is_ascii_digit() || c == '.')
     });
     if let (true, Some(exponent)) = (touches, exponent) {

@@ -159,10 +159,32 @@ const PIECES: &[&str] = &[
     "}",
 ];
 
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+/// What parses is laid out and then stays as it is; that it says the same is checked by `format` itself. In another
+/// alphabet it may be refused: `t³^2` is a power of a power, and `t^3^2` is not.
+fn is_laid_out_once(text: &str, alphabet: Alphabet) -> Result<(), TestCaseError> {
+    let limits = Limits::default();
+    let source = Source::new("spec", text);
+    if syntax::parse(&source, &limits).is_err() {
+        return Ok(());
+    }
+    match syntax::format(&source, alphabet, &limits) {
+        Err(found) if alphabet == Alphabet::Kept || found[0].code != Code::NotFormatted => {
+            Err(TestCaseError::fail(format!("{text}\n{}", told(text, &found))))
+        }
+        Err(_) => Ok(()),
+        Ok(once) => {
+            let twice = syntax::format(&Source::new("spec", &*once), alphabet, &limits);
+            let twice =
+                twice.map_err(|found| TestCaseError::fail(format!("{text}\n{once}\n{}", told(&once, &found))))?;
+            prop_assert_eq!(twice, once, "{}", text);
+            Ok(())
+        }
+    }
+}
 
-    /// Whatever parses is laid out, says the same (which `format` itself checks) and stays as it is.
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
     #[test]
     fn changed_examples_are_laid_out_and_then_stay(
         which in any::<prop::sample::Index>(),
@@ -178,26 +200,14 @@ proptest! {
             }
             text.insert_str(at, piece);
         }
-        let source = Source::new("spec", &*text);
-        if syntax::parse(&source, &Limits::default()).is_ok() {
-            let once = syntax::format(&source, alphabet, &Limits::default());
-            let once = once.map_err(|found| TestCaseError::fail(format!("{text}\n{}", told(&text, &found))))?;
-            let twice = syntax::format(&Source::new("spec", &*once), alphabet, &Limits::default());
-            prop_assert_eq!(twice.expect("laid out before"), once, "{}", text);
-        }
+        is_laid_out_once(&text, alphabet)?;
     }
 
     #[test]
     fn random_expressions_are_laid_out_and_then_stay(pieces in prop::collection::vec(prop::sample::select(PIECES), 1..12)) {
         let text = format!("param b_1 = 1\n{}{BOUNDARY}", with_data(&pieces.concat()));
-        let source = Source::new("spec", &*text);
-        if syntax::parse(&source, &Limits::default()).is_ok() {
-            for alphabet in ALPHABETS {
-                let once = syntax::format(&source, alphabet, &Limits::default());
-                let once = once.map_err(|found| TestCaseError::fail(format!("{text}\n{}", told(&text, &found))))?;
-                let twice = syntax::format(&Source::new("spec", &*once), alphabet, &Limits::default());
-                prop_assert_eq!(twice.expect("laid out before"), once, "{}", text);
-            }
+        for alphabet in ALPHABETS {
+            is_laid_out_once(&text, alphabet)?;
         }
     }
 }

@@ -181,6 +181,11 @@ fn fractions_roots_and_powers_have_their_groups() {
     same(r"e^{-t}\, e^t v^{a b}", "exp(-t)*exp(t)*v^(a*b)");
     same(r"2 \cdot 10^{-3} v + 10^{2}", "2e-3*v + 1e2");
     same(r"v/2 \cdot 10^{3}", "(v/2)*1000");
+    same(r"\sin 2 \cdot 10^{3} v", "sin(2)*1000*v");
+    same(
+        r"\sqrt{2}v + \sin{v}t + e^t(1 + v) + \frac{1}{2}\cos 2\pi v",
+        "sqrt(2)*v + sin(v)*t + e^t*(1 + v) + cos(2*pi*v)/2",
+    );
     same("v^2t", "v^2*t");
     same("v^{-1}", "1/v");
     same("{v + t}k", "(v + t)*k");
@@ -245,6 +250,24 @@ fn wide_space_separates_equations_without_a_comma() {
     let block = r"$$ u = 0 \quad S_x = \cos v \quad S_y = 0 \qquad S_z = 0
 \frac{\partial S}{\partial u} = 0 \\ u = 1 \\ S = 0 \\ \frac{\partial S}{\partial u} = 0 $$";
     assert_eq!(basis(block), basis(&with_data("cos v")));
+}
+
+#[test]
+fn equation_number_behind_a_wide_space_is_no_factor() {
+    let block = r"$$ u = 0, \\ S = \begin{bmatrix} \cos v \\ 0 \\ 0 \end{bmatrix} \quad (13) \\
+\frac{\partial S}{\partial u} = 0, (14a) \\ u = 1: \quad S = 0 \qquad \frac{\partial S}{\partial u} = 0. (15) $$";
+    assert_eq!(basis(block), basis(&with_data("cos v")));
+    let found = refused("$$ u = 0, S_x = v (13) $$");
+    assert_eq!(found[0].code, Code::AmbiguousExpression);
+    assert!(found[0].hints[0].contains(r"\tag{13}"), "{found:?}");
+}
+
+#[test]
+fn block_inside_a_line_stands_apart_from_what_is_beside_it() {
+    for (mixed, plain) in [("a$$t$$b_12", "a*t*b12"), ("2$$v$$", "2*v"), ("$$a$$$$t$$", "a*t")] {
+        let text = |value: &str| format!("{NAMES}{}", with_data(value));
+        assert_eq!(basis(&text(mixed)), basis(&text(plain)), "{mixed}");
+    }
 }
 
 #[test]

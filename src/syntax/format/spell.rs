@@ -36,14 +36,18 @@ pub fn respell(lines: &mut [Line<'_>], alphabet: Alphabet) {
 /// `πt` was two tokens, and so must `pi t` be.
 fn keep_apart(tokens: &mut [Token<'_>]) {
     let is_word = |token: &Token<'_>| matches!(token.kind, Kind::Word | Kind::Number);
-    let mut follows_word = false;
+    let (mut follows_word, mut follows_e) = (false, false);
     for token in tokens {
-        token.is_spaced |= follows_word && is_word(token) && token.kind == Kind::Word;
-        follows_word = token.kind == Kind::Word;
+        token.is_spaced |= follows_word && is_word(token);
+        // `e^2(t)` has two readings, `e²(t)` has one.
+        token.is_spaced |= follows_e && token.kind == Kind::Open;
+        follows_e = token.text.starts_with("e^");
+        follows_word = matches!(token.kind, Kind::Word | Kind::Superscript);
     }
 }
 
-fn to_ascii(tokens: &mut [Token<'_>]) {
+fn to_ascii(tokens: &mut Vec<Token<'_>>) {
+    multiply_brackets(tokens);
     for token in tokens {
         let text = match token.kind {
             Kind::Word if token.text.starts_with('∂') => Cow::Owned(ascii_derivative(&token.text)),
@@ -57,6 +61,18 @@ fn to_ascii(tokens: &mut [Token<'_>]) {
         };
         token.text = text;
     }
+}
+
+/// `π(v)` as `π*(v)`: `pi(v)` would be an application.
+fn multiply_brackets(tokens: &mut Vec<Token<'_>>) {
+    let mut spelled: Vec<Token<'_>> = Vec::with_capacity(tokens.len());
+    for token in tokens.drain(..) {
+        if token.kind == Kind::Open && spelled.last().is_some_and(|last| matches!(&*last.text, "π" | "ϖ")) {
+            spelled.push(Token { kind: Kind::Operator, text: Cow::Borrowed("*"), is_spaced: false });
+        }
+        spelled.push(token);
+    }
+    *tokens = spelled;
 }
 
 /// `∂u²∂v²` as `du2dv2`
@@ -166,18 +182,31 @@ fn is_below(text: &str) -> bool {
     }
 }
 
+/// Whether a token makes what stands before it a base.
+fn is_raising(token: &Token<'_>) -> bool {
+    token.kind == Kind::Superscript || matches!(&*token.text, "^" | "**")
+}
+
 /// `v^2` as `v²`, where a whole number is the whole exponent.
 fn raise_exponents(tokens: &mut Vec<Token<'_>>) {
     let mut spelled: Vec<Token<'_>> = Vec::with_capacity(tokens.len());
     let mut rest = std::mem::take(tokens).into_iter().peekable();
     while let Some(token) = rest.next() {
         let is_power = token.kind == Kind::Operator && matches!(&*token.text, "^" | "**");
-        let follows_operand = spelled.last().is_some_and(|last| {
-            matches!(last.kind, Kind::Close | Kind::Number) || (last.kind == Kind::Word && !last.text.starts_with('∂'))
-        });
+        // Not in `v^2^3`, where only the last exponent has no other above it.
+        let is_exponent = spelled.iter().rev().nth(1).is_some_and(|before| matches!(&*before.text, "^" | "**"));
+        let follows_operand = !is_exponent
+            && spelled.last().is_some_and(|last| {
+                matches!(last.kind, Kind::Close | Kind::Number)
+                    || (last.kind == Kind::Word
+                        && last
+                            .text
+                            .ends_with(|c: char| c.is_alphanumeric() && digits(&c.to_string()) == c.to_string())
+                        && !last.text.starts_with('∂'))
+            });
         let is_integer = |next: &Token<'_>| next.text.chars().all(|c| c.is_ascii_digit());
         match rest.next_if(|next| is_power && follows_operand && next.kind == Kind::Number && is_integer(next)) {
-            Some(exponent) if !rest.peek().is_some_and(|next| matches!(&*next.text, "^" | "**")) => {
+            Some(exponent) if !rest.peek().is_some_and(is_raising) => {
                 let text = Cow::Owned(superscript(&exponent.text));
                 spelled.push(Token { kind: Kind::Superscript, text, is_spaced: false });
             }

@@ -55,17 +55,20 @@ impl<'a> Block<'a> {
 
     /// Writes the block's plain spelling; the offset behind the block.
     pub fn read(&mut self) -> Result<usize, Diagnostic> {
+        // Blanks around it keep it apart from what stands beside it: `a$$t$$` is a product.
+        self.spelling.put(" ", self.start, Piece::Mark);
         while let Some(token) = self.peek() {
             self.at = token.span.end;
-            if self.ends(&token) {
+            let is_end = self.ends(&token);
+            if is_end {
                 self.groups.check_closed()?;
-                self.end_position(token.span);
-                return Ok(self.at);
+            } else {
+                self.token(token)?;
+                self.previous = Some(token);
             }
-            self.token(token)?;
-            self.previous = Some(token);
-            if self.opening == Opening::Environment && self.groups.is_empty() {
+            if is_end || (self.opening == Opening::Environment && self.groups.is_empty()) {
                 self.end_position(token.span);
+                self.mark(" ", &token);
                 return Ok(self.at);
             }
         }
@@ -173,6 +176,17 @@ impl<'a> Block<'a> {
         match token.text {
             "&" if matches!(self.groups.last(), Some(Group::Matrix(_))) => self.mark(", ", token),
             "&" => {}
+            "(" if is_outside && self.is_list && self.equation_number(token.span.start).is_some() => {
+                let end = self.equation_number(token.span.start).unwrap_or(token.span.end);
+                let number = self.source.get(token.span.start..end).unwrap_or("");
+                let inside = number.trim_matches(['(', ')']);
+                return Err(Diagnostic::new(
+                    Code::AmbiguousExpression,
+                    format!("`{number}` can be a factor, or the number of the equation"),
+                )
+                .at(Span::new(token.span.start, end))
+                .hint(format!(r"write `\cdot {inside}` for the factor, `\tag{{{inside}}}` for the number")));
+            }
             "(" | "[" => {
                 self.groups.open(Group::Bracket(if token.text == "(" { ')' } else { ']' }), token.span);
                 self.mark(token.text, token);
@@ -189,6 +203,7 @@ impl<'a> Block<'a> {
                 self.row.has_equals = false;
                 self.skip_equation_number();
             }
+            ":" if is_outside && self.end_position(token.span) => {}
             "." => self.full_stop(token)?,
             "=" if is_outside && self.is_list => {
                 if self.row.is_position && self.row.has_equals {
@@ -223,31 +238,25 @@ impl<'a> Block<'a> {
         if is_end { Ok(()) } else { Err(unsupported("a full stop inside an equation", token.span)) }
     }
 
-    /// Skips `(13)` before the end of the block; only after punctuation, since it could be a factor.
+    /// Skips `(13)` at the end of a row; only after punctuation or a wide space, since it could be a factor.
     fn skip_equation_number(&mut self) -> bool {
-        let mut at = self.at;
-        let mut next = || {
-            let token = token::next(self.source, at)?;
-            at = token.span.end;
-            Some(token)
-        };
-        let mut is_number = || {
-            if !next()?.is_symbol("(") || next()?.kind != TokenKind::Number {
-                return None;
-            }
-            let mut last = next()?;
-            if last.kind == TokenKind::Letter {
-                last = next()?;
-            }
-            last.is_symbol(")").then_some(last.span.end)
-        };
-        let Some(end) = is_number() else { return false };
-        let follows = token::next(self.source, end);
-        let is_last = follows.is_some_and(|token| self.ends(&token) || token.is_command("end"));
-        if is_last {
-            self.at = end;
-        }
-        is_last
+        let end = self.equation_number(self.at);
+        self.at = end.unwrap_or(self.at);
+        end.is_some()
+    }
+
+    /// Where `(13)` or `(24a)` ends, if it stands at `at` and at the end of a row.
+    fn equation_number(&self, at: usize) -> Option<usize> {
+        let mut tokens =
+            std::iter::successors(token::next(self.source, at), |token| token::next(self.source, token.span.end));
+        let is_open = tokens.next()?.is_symbol("(") && tokens.next()?.kind == TokenKind::Number;
+        let last = tokens.next().filter(|_| is_open)?;
+        let last = if last.kind == TokenKind::Letter { tokens.next()? } else { last };
+        let follows = tokens.next()?;
+        let is_last = self.ends(&follows)
+            || follows.is_command("end")
+            || matches!(follows.kind, TokenKind::Break | TokenKind::LineEnd);
+        (last.is_symbol(")") && is_last).then_some(last.span.end)
     }
 
     fn command(&mut self, token: &Token<'a>) -> Result<(), Diagnostic> {
@@ -285,13 +294,19 @@ impl<'a> Block<'a> {
         Ok(())
     }
 
-    /// A number; `2 \cdot 10^{-3}` is the number `2e-3`, to the last digit, unless it stands behind a fraction bar.
+    /// A number; `2 \cdot 10^{-3}` is the number `2e-3`, to the last digit, where it begins a term: in
+    /// `\sin 2 \cdot 10^{-3}` and `v/2 \cdot 10^{-3}` the dot is an operator like any other.
     fn number(&mut self, token: &Token<'a>) {
-        let is_divisor = self.previous.is_some_and(|before| before.is_symbol("/") || before.is_command("div"));
+        let begins_term = self.previous.is_none_or(|before| match before.kind {
+            TokenKind::Open | TokenKind::Break | TokenKind::LineEnd => true,
+            TokenKind::Symbol => "+-−=,;([&".contains(before.text),
+            TokenKind::Command => ["quad", "qquad", "begin", "{"].iter().any(|name| before.is_command(name)),
+            _ => false,
+        });
         let mantissa = if token.text == "10" { Some("1") } else { None };
         let power = match mantissa {
             Some(_) => self.power_of_ten(token.span.end),
-            None if is_divisor => None,
+            None if !begins_term => None,
             None => {
                 let sign = self.peek().filter(|sign| sign.is_command("cdot") || sign.is_command("times"));
                 let ten = sign.and_then(|sign| token::next(self.source, sign.span.end));
@@ -342,7 +357,7 @@ impl<'a> Block<'a> {
 
     /// `\quad` separates two equations of a row; elsewhere it is a blank.
     fn wide(&mut self, token: &Token<'_>) {
-        if !self.is_list || !self.groups.is_outside() || self.end_position(token.span) {
+        if !self.is_list || !self.groups.is_outside() || self.end_position(token.span) || self.skip_equation_number() {
             return;
         }
         if self.row.has_equals && self.equation_follows() {
