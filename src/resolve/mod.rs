@@ -11,8 +11,11 @@ mod lower;
 mod patch;
 mod prelude;
 mod reading;
+mod review;
 mod scope;
 mod surface;
+
+pub use review::review;
 
 use reading::Reading;
 use scope::{Meaning, Scope};

@@ -6,12 +6,12 @@ use std::time::Instant;
 
 use trimline::blend::Prepared;
 use trimline::decompose::{Decomposition, decompose};
-use trimline::diagnostic::{Code, Diagnostic, Source, Span};
+use trimline::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span};
 use trimline::eval::Backend;
 use trimline::limits::Limits;
 use trimline::method::{Options, Solution};
 use trimline::problem::{Bindings, Patch, Problem};
-use trimline::resolve::{resolve, set_parameter};
+use trimline::resolve::{resolve, review, set_parameter};
 use trimline::syntax;
 use trimline::verify::Verification;
 
@@ -26,6 +26,8 @@ pub struct Spec {
     pub bindings: Bindings,
     /// The patches the user asked for.
     pub patches: Vec<Patch>,
+    /// What is worth a second look in the text.
+    pub warnings: Diagnostics,
     /// Seconds from bytes to problem.
     pub parse_seconds: f64,
 }
@@ -58,12 +60,14 @@ impl Spec {
         let stem =
             Path::new(&name).file_stem().map_or_else(|| name.clone(), |stem| stem.to_string_lossy().into_owned());
         let mut problem = resolve(&document, &stem, &limits).map_err(|findings| Failure::found(&source, findings))?;
+        let warnings = review(&document, &problem);
         for change in &reading.set {
             set(&mut problem, change, &limits)?;
         }
         let bindings = Bindings::evaluate(&problem).map_err(|finding| overridden(&source, reading, finding))?;
         let patches = select(&problem, reading.patch.as_deref())?;
-        Ok(Spec { source, limits, problem, bindings, patches, parse_seconds: start.elapsed().as_secs_f64() })
+        let parse_seconds = start.elapsed().as_secs_f64();
+        Ok(Spec { source, limits, problem, bindings, patches, warnings, parse_seconds })
     }
 
     /// A failure that points into this spec.
