@@ -104,6 +104,8 @@ codes! {
     ParameterOutOfRange = "E0215", Error, Source, "A parameter lies outside its own range.";
     DependentConstraints = "E0216", Error, Source, "The constraints do not determine a surface.";
     MissingEquationTerm = "E0217", Error, Source, "The equation has no derivative in u.";
+    UnusedDeclaration = "W0218", Warning, Source, "A declaration is not used.";
+    DegenerateBoundary = "W0219", Warning, Source, "A trimline is a point, or a tangent has no length.";
     NotDifferentiable = "E0301", Error, Source, "A derivative is needed of a function that has none.";
     DataNotFinite = "E0302", Error, Source, "Boundary data are not finite inside the domain.";
     PointOutsideDomain = "E0303", Error, Source, "A point or an instant lies outside the domain.";

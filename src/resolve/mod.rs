@@ -13,8 +13,11 @@ mod operator;
 mod patch;
 mod prelude;
 mod reading;
+mod review;
 mod scope;
 mod surface;
+
+pub use review::review;
 
 use reading::Reading;
 use scope::{Meaning, Scope};

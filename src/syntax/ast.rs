@@ -301,6 +301,7 @@ impl Tree {
     pub fn names(&self) -> impl Iterator<Item = &str> {
         self.nodes.iter().filter_map(|node| match &node.kind {
             Kind::Name(name) | Kind::Application(name, _) => Some(name.text.as_str()),
+            Kind::Partial(partial) => Some(partial.surface.text.as_str()),
             _ => None,
         })
     }

@@ -4,6 +4,7 @@ mod table;
 
 use trimline::diagnostic::{Class, Code, Diagnostic, Diagnostics, Severity, Source};
 use trimline::limits::Limits;
+use trimline::resolve::{resolve, review};
 use trimline::syntax;
 use trimline::verify::verify;
 
@@ -15,6 +16,8 @@ use table::{ROWS, Spec};
 const ELSEWHERE: &[(Code, &str)] = &[
     (Code::NotUtf8, "bytes that are not text: below"),
     (Code::NotFormatted, "a fault of `fmt` itself"),
+    (Code::UnusedDeclaration, "`review`: below"),
+    (Code::DegenerateBoundary, "`review`: below"),
     (Code::PointOutsideDomain, "points and instants of the command line"),
     (Code::BadPoints, "tables of points of the command line"),
     (Code::SeamApart, "`check`, which solves the patches of a seam"),
@@ -215,4 +218,47 @@ fn derivative_that_only_the_equation_needs_is_refused_with_its_place_where_it_is
 fn findings_never_echo_characters_that_act_on_a_terminal() {
     let finding = Diagnostic::new(Code::UnknownName, "unknown \u{1b}[31mname\u{202e}").hint("\u{7}");
     assert!(!words(&finding).chars().any(trimline::diagnostic::is_deceptive), "{finding:?}");
+}
+
+/// Codes, marked texts and messages of the warnings about a document without fault.
+fn reviewed(text: &str) -> Vec<String> {
+    let (source, limits) = (Source::new("spec", text), Limits::default());
+    let document = syntax::parse(&source, &limits).unwrap_or_else(|found| panic!("{}", told(text, &found)));
+    let problem = resolve(&document, "spec", &limits).unwrap_or_else(|found| panic!("{}", told(text, &found)));
+    let line = |finding: &Diagnostic| {
+        let marked = finding.span.map_or("", |span| source.slice(span));
+        format!("{} `{marked}` {}", finding.code, finding.message)
+    };
+    review(&document, &problem).iter().map(line).collect()
+}
+
+#[test]
+fn declarations_that_nothing_uses_are_warned_of_in_source_order() {
+    let text = format!(
+        "param a = 1, b = a\nlet f(x) = x, g = b\nsurface A(u, v) = [u, v, 0], B(u, v) = A(u, v), C(u, v) = A(u, v)\n\
+         patch p {{ let g = B_x(0, v), h = ∂C(0, v)/∂u\n{BOUNDARY}}}"
+    );
+    let expected = ["W0218 `f` the definition `f` is not used", "W0218 `g` the definition `g` is not used"];
+    let found = reviewed(&text);
+    assert_eq!(found[..2], expected);
+    assert_eq!(found[2..], ["W0218 `g` the definition `g` is not used", "W0218 `h` the definition `h` is not used"]);
+}
+
+#[test]
+fn surface_that_is_only_joined_is_used() {
+    let text = "surface A(u, v) = [cos v, sin v, u]\nat u = 0: join A at u = 0\nat u = 1: join A at u = 2";
+    assert_eq!(reviewed(text), [""; 0]);
+}
+
+#[test]
+fn trimline_that_is_a_point_and_tangent_without_length_are_warned_of() {
+    let text = "at u = 0: S = 0, dS/du = [cos v, sin v, 0]\nat u = 1: S = [cos v, sin v, 1], dS/du = [0, 0, 0]";
+    assert_eq!(reviewed(text), ["W0219 `0` the trimline is zero", "W0219 `0` the tangent is zero"]);
+}
+
+#[test]
+fn examples_give_no_warnings() {
+    for (name, text) in crate::spec::examples() {
+        assert_eq!(reviewed(&text), [""; 0], "{name}");
+    }
 }

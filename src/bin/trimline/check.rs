@@ -164,6 +164,7 @@ fn angles(report: &Report) -> impl Iterator<Item = Option<f64>> {
 
 fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Checked, Failure> {
     let spec = Spec::read(path, &arguments.solving.reading)?;
+    print_warnings(&spec.warnings, &spec.source, terminal);
     let mut reports = Vec::new();
     let prepared: Vec<Patched> = spec
         .patches

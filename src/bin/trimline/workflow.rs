@@ -6,12 +6,12 @@ use std::time::Instant;
 
 use trimline::blend::Prepared;
 use trimline::decompose::{Decomposition, decompose};
-use trimline::diagnostic::{Code, Diagnostic, Source, Span};
+use trimline::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span};
 use trimline::eval::Backend;
 use trimline::limits::Limits;
 use trimline::method::{Options, Solution};
 use trimline::problem::{Bindings, Patch, Problem};
-use trimline::resolve::{resolve, set_parameter};
+use trimline::resolve::{resolve, review, set_parameter};
 use trimline::syntax;
 use trimline::verify::Verification;
 
@@ -27,6 +27,8 @@ pub struct Spec {
     pub bindings: Bindings,
     /// The patches the user asked for.
     pub patches: Vec<Patch>,
+    /// What is worth a second look in the text.
+    pub warnings: Diagnostics,
     /// Seconds from bytes to problem.
     pub parse_seconds: f64,
 }
@@ -57,9 +59,11 @@ impl Spec {
         let stem = Path::new(&source.name).file_stem();
         let stem = stem.map_or_else(|| source.name.clone(), |stem| stem.to_string_lossy().into_owned());
         let problem = resolve(&document, &stem, &limits).map_err(|findings| Failure::found(&source, findings))?;
+        let warnings = review(&document, &problem);
         let (problem, bindings) = with_values(problem, &source, &reading.set, &limits)?;
         let patches = select(&problem, reading.patch.as_deref())?;
-        Ok(Spec { source, limits, problem, bindings, patches, parse_seconds: start.elapsed().as_secs_f64() })
+        let parse_seconds = start.elapsed().as_secs_f64();
+        Ok(Spec { source, limits, problem, bindings, patches, warnings, parse_seconds })
     }
 
     /// This spec with other values of params or coefficients, each `NAME=EXPR`.

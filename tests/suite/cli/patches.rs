@@ -1,6 +1,8 @@
-//! Documents of several patches, joins and seams, on the command line.
+//! The command on documents of several patches: which it takes, and what it says of joins and seams.
 
-use super::*;
+use serde_json::Value;
+
+use super::{Folder, done, status, text, trimline, trimline_reading};
 
 const TWO: &str = "param r = 1
 patch low { at u = 0: S = [r cos v, r sin v, 0], dS/du = [0, 0, 1]; at u = 1: S = [cos v, sin v, 1], dS/du = [0, 0, 1] }
