@@ -63,19 +63,20 @@ fn letter_size(picture: &Picture) -> usize {
     (picture.width().min(picture.height()) / 240).max(1)
 }
 
-/// Four significant digits at most.
+/// Four significant digits at most, three before an exponent.
 fn short(value: f64) -> String {
     let size = value.abs();
     if size == 0.0 {
         return "0".to_owned();
     }
-    let [plain, scientific] = [format!("{value:.3e}"), format!("{value:.2e}")];
-    let rounded: f64 = plain.parse().unwrap_or(value);
     if (1e-3..1e5).contains(&size) {
+        let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
         return format!("{rounded}");
     }
-    let shortest = format!("{:e}", scientific.parse::<f64>().unwrap_or(value));
-    if shortest.len() < scientific.len() { shortest } else { scientific }
+    // Not parsed again: the largest double rounds to more than doubles hold.
+    let text = format!("{value:.2e}");
+    let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+    format!("{}e{exponent}", digits.trim_end_matches('0').trim_end_matches('.'))
 }
 
 fn write(picture: &mut Picture, text: &str, (left, top): (usize, usize), size: usize) {
