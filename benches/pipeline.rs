@@ -12,7 +12,7 @@ use trimline::decompose::decompose;
 use trimline::diagnostic::{Diagnostics, Source};
 use trimline::expr::Derivative;
 use trimline::limits::Limits;
-use trimline::method::{Options, Settings, choose};
+use trimline::method::{Numbers, Options, Settings, choose};
 use trimline::problem::Bindings;
 use trimline::resolve::resolve;
 use trimline::surface::Surface;
@@ -46,12 +46,14 @@ fn stages(criterion: &mut Criterion) {
 
     let settings = Settings::read(&patch.solve.settings).expect("the example's settings are valid");
     let options = Options { settings, ..Options::default() };
-    let method = choose(Some("sine"), None, &decomposition, &limits).expect("the method accepts the example");
+    let bindings = Bindings::evaluate(&problem).expect("the example's params are finite");
+    let domain = patch.domain.evaluate(&problem, &bindings).expect("the example's domain has extent");
+    let numbers = Numbers { params: bindings.as_slice(), domain: &domain };
+    let chosen = choose(Some("sine"), None, &decomposition, &numbers, &limits);
+    let method = chosen.expect("the method accepts the example").method;
     group.bench_function("prepare", |b| b.iter(|| method.prepare(black_box(&decomposition), &options)));
 
     let solver = method.prepare(&decomposition, &options).expect("the example can be prepared");
-    let bindings = Bindings::evaluate(&problem).expect("the example's params are finite");
-    let domain = patch.domain.evaluate(&problem, &bindings).expect("the example's domain has extent");
     let ranges = [domain.u, domain.v];
     group.bench_function("solve", |b| b.iter(|| solver.solve(black_box(bindings.as_slice()), ranges, 0.5)));
 
@@ -62,7 +64,8 @@ fn stages(criterion: &mut Criterion) {
     });
 
     for name in ["exact", "sine"] {
-        let method = choose(Some(name), None, &decomposition, &limits).expect("both methods accept the example");
+        let chosen = choose(Some(name), None, &decomposition, &numbers, &limits);
+        let method = chosen.expect("both methods accept the example").method;
         let settings = Settings::read(&patch.solve.settings).expect("the example's settings are valid");
         let options = Options { settings: settings.only(method.settings()), ..Options::default() };
         let solver = method.prepare(&decomposition, &options).expect("the example can be prepared");
