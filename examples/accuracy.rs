@@ -212,7 +212,8 @@ N = 7 on 36 points and the closed form, reject a Fourier series with N = 20, and
 The method `fourier` refuses data that are not periodic, so these rows are made of its parts: exact functions of u for each wave number
 of the data continued with their jumps, and in the pseudospectral method a remainder with the functions of ω = 3, since YZ03 print no ω.
 The series takes the mean of both values where the data jump, and misses its boundary there by half the jump, however many modes
-it has; the remainder mends the boundary and not the surface. Poorer with more modes is what is found here, too.",
+it has; the remainder mends the boundary and not the surface. Poorer with more modes is what is found here, too.
+The times of these rows are mostly those of the 16384 samples that stand for the integrals.",
         text: include_str!("eq13.trim"),
         changes: &[],
         t: 0.0,
