@@ -24,3 +24,5 @@ mod reference;
 mod robustness;
 mod spec;
 mod static_blend;
+#[cfg(feature = "view")]
+mod view;

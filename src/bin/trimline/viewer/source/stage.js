@@ -151,7 +151,10 @@ export class Stage {
       values.forEach((vector, i) => {
         const foot = new THREE.Vector3(...feet[i]);
         const tip = new THREE.Vector3(...vector).multiplyScalar((0.2 * this.radius) / longest).add(foot);
-        const side = new THREE.Vector3().subVectors(tip, foot).cross(this.camera.up).normalize();
+        const along = new THREE.Vector3().subVectors(tip, foot);
+        // Barbs lie flat, or for an upright arrow in a plane of their own.
+        const isUpright = Math.hypot(along.x, along.y) < 1e-3 * Math.abs(along.z);
+        const side = along.cross(isUpright ? new THREE.Vector3(1, 0, 0) : this.camera.up).normalize();
         const barb = (sign) => tip.clone().lerp(foot, 0.25).addScaledVector(side, sign * 0.15 * tip.distanceTo(foot));
         points.push(foot, tip, tip, barb(1), tip, barb(-1));
       });
