@@ -58,6 +58,10 @@ for (const spec of examples) {
       const found = await pointAt(page, u, v);
       check(deviation(found, expected) < 1e-10, `at ${u}, ${v}: ${found} instead of ${expected}`);
     }
+    const drawnVertex = await page.evaluate(() => window.__trimline.vertex(32, 64));
+    const [u, v] = [32 / 128, low + (64 / 256) * (high - low)];
+    // What is drawn: sums of some ten products in single precision.
+    check(deviation(drawnVertex, evaluate(spec, [[u, v, time]])[0]) < 1e-5, `the vertex at ${u}, ${v} is drawn at ${drawnVertex}`);
     check(await page.locator("#equation math, #basis math").count() >= 5, "the mathematics are missing");
   }));
 }

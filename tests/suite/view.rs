@@ -128,7 +128,9 @@ fn only_the_servers_own_pages_are_answered() {
 #[test]
 fn nothing_else_is_served_from_disk() {
     let view = View::of(VASE, &[]);
-    for path in ["/spec.trim", "/../spec.trim", "/%2e%2e/spec.trim", "//etc/passwd", "/etc/passwd", "/viewer.js/x", "/dist"] {
+    for path in
+        ["/spec.trim", "/../spec.trim", "/%2e%2e/spec.trim", "//etc/passwd", "/etc/passwd", "/viewer.js/x", "/dist"]
+    {
         assert_eq!(view.get(path).status, 404, "{path}");
     }
 }
@@ -146,8 +148,11 @@ fn scene_has_sliders_patches_and_programs() {
     let patch = &scene["solved"]["patches"][0];
     // The rim of radius r at u = 0: the series of cos v at the low end is Σ (-1)^k c_k.
     let rows = patch["amplitudes"]["coefficients"].as_array().expect("rows");
-    let at_low_end: f64 =
-        rows.iter().enumerate().map(|(k, row)| row[0].as_f64().expect("a number") * if k % 2 == 0 { 1.0 } else { -1.0 }).sum();
+    let at_low_end: f64 = rows
+        .iter()
+        .enumerate()
+        .map(|(k, row)| row[0].as_f64().expect("a number") * if k % 2 == 0 { 1.0 } else { -1.0 })
+        .sum();
     assert!((at_low_end - 1.0).abs() < 1e-14, "{at_low_end}");
     assert_eq!(patch["conditions"].as_array().expect("conditions").len(), 4);
 }
@@ -256,7 +261,10 @@ fn saved_edit_is_announced_and_a_broken_one_keeps_the_surface() {
     std::fs::write(view.spec(), VASE.replace("r = 1", "r = 1.25")).expect("saved");
     assert!(next() > broken);
     let mended = view.get("/scene").json();
-    assert_eq!((&mended["is_current"], mended["solved"]["parameters"][0]["value"].as_f64()), (&Value::Bool(true), Some(1.25)));
+    assert_eq!(
+        (&mended["is_current"], mended["solved"]["parameters"][0]["value"].as_f64()),
+        (&Value::Bool(true), Some(1.25))
+    );
 }
 
 #[test]

@@ -52,6 +52,7 @@ export class Stage {
   }
 
   render() {
+    for (const patch of this.patches) patch.prepare(this.renderer);
     this.renderer.render(this.scene, this.camera);
     this.frames += 1;
     this.afterFrame.splice(0).forEach((report) => report());
@@ -171,6 +172,14 @@ export class Stage {
   set lines(on) {
     this.shared.lines.value = on;
     this.invalidate();
+  }
+
+  // The position of a vertex as it is drawn.
+  vertex(i, j, index) {
+    this.render();
+    const values = new Float32Array(4);
+    this.renderer.readRenderTargetPixels(this.patches[index].target, j, i, 1, 1, values);
+    return Array.from(values.subarray(0, 3));
   }
 
   // How many pixels differ from the background, and a number that differs between pictures.
