@@ -47,7 +47,7 @@ fn bad_requests_have_their_status_and_leave_nothing() {
         ("part.step", &["--degree", "2"], 1, "use degree 3, 4 or 5"),
         ("part.step", &["--tolerance", "0"], 1, "no positive length"),
         ("part.step", &["--tolerance", "1e-30"], 1, "below the rounding"),
-        ("part.step", &["--tolerance", "1e-13", "--limits", "control-points=500"], 4, "`control-points` of 500"),
+        ("part.step", &["--tolerance", "1e-12", "--limits", "control-points=500"], 4, "`control-points` of 500"),
         ("part.step", &["--time", "7"], 1, "outside the time domain"),
         ("part.step", &["--schema", "ap203"], 2, "ap203"),
     ];

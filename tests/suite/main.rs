@@ -42,3 +42,5 @@ mod robustness;
 mod spec;
 mod static_blend;
 mod surfaces;
+#[cfg(feature = "view")]
+mod view;

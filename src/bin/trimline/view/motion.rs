@@ -70,9 +70,9 @@ pub fn of(live: &Live, question: &Question) -> Result<Motion, Failure> {
         }
         let solved_at = |t: f64| {
             std::thread::sleep(PAUSE);
-            let samples = if *live.revision.borrow() == revision { samples(live, question, Some(t))? } else { None };
-            let sample = samples.and_then(|samples| samples.into_iter().nth(index));
-            sample.ok_or_else(|| Failure::Usage("the spec was edited in the meantime".to_owned()))
+            let is_edited = *live.revision.borrow() != revision;
+            let samples = if is_edited { None } else { samples(live, question, Some(t))? };
+            Ok(samples.and_then(|samples| samples.into_iter().nth(index)))
         };
         patches.push(interpolation(sample.domain, solved_at)?);
     }
@@ -92,15 +92,18 @@ fn samples(live: &Live, question: &Question, time: Option<f64>) -> Result<Option
     })
 }
 
+/// `None` if too many instants would be needed, or the spec was edited meanwhile and `solved_at` has none.
 fn interpolation(
     domain: DomainValues,
-    solved_at: impl Fn(f64) -> Result<Sample, Failure>,
+    solved_at: impl Fn(f64) -> Result<Option<Sample>, Failure>,
 ) -> Result<Option<Interpolation>, Failure> {
     let fault = |finding: Diagnostic| Failure::Found { source: None, findings: vec![finding] };
-    let solved = |kind, count| nodes(kind, count, domain.t).into_iter().map(&solved_at).collect::<Result<Vec<_>, _>>();
-    let judges = solved(NodeKind::Ends, MEASURED)?;
+    let solved = |kind, count| -> Result<Option<Vec<Sample>>, Failure> {
+        nodes(kind, count, domain.t).into_iter().map(|t| solved_at(t).transpose()).collect::<Option<_>>().transpose()
+    };
+    let Some(judges) = solved(NodeKind::Ends, MEASURED)? else { return Ok(None) };
     for count in INSTANTS {
-        let samples = solved(NodeKind::Chebyshev, count)?;
+        let Some(samples) = solved(NodeKind::Chebyshev, count)? else { return Ok(None) };
         let series = samples.iter().map(|sample| amplitude_series(&sample.surface, domain).map_err(fault));
         let series: Vec<ChebyshevSeries> = series.collect::<Result<_, _>>()?;
         let instants: Vec<f64> = samples.iter().map(|sample| sample.time).collect();

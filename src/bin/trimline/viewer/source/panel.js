@@ -29,7 +29,7 @@ export function showValues(parameters, onChange) {
       const row = element("div", { className: "value" }, element("span", { textContent: parameter.label }));
       row.dataset.name = parameter.name;
       if (bounds) {
-        const slider = element("input", { type: "range", min: bounds[0], max: bounds[1], step: (bounds[1] - bounds[0]) / 400 });
+        const slider = element("input", { type: "range", min: bounds[0], max: bounds[1], step: "any" });
         slider.addEventListener("input", () => onChange(parameter.name, slider.value));
         row.append(slider);
       }

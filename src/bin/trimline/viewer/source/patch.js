@@ -1,16 +1,20 @@
 // One patch: S(u, v, t) = Σ_j F_j(v, t) G_j(u), as tables that the shader adds up.
 //
 // The F_j with their derivatives in v are worked out for every column of the grid, the G_j with theirs in u for every
-// row, both in double precision. What is left for each vertex is a sum over j, which runs on the graphics processor.
+// row, both in double precision. What is left for each vertex is a sum over j, which the graphics processor takes once
+// for every new table.
 
 import * as THREE from "three";
 import { evenly, run } from "./program.js";
 import { between, derivative, values } from "./series.js";
-import { material } from "./shading.js";
+import { drawing, summing } from "./shading.js";
 
 export class Patch {
   constructor(uniforms) {
-    this.material = material(uniforms);
+    this.material = drawing(uniforms);
+    this.sum = new THREE.Mesh(new THREE.PlaneGeometry(2, 2), summing());
+    this.sum.frustumCulled = false;
+    this.eye = new THREE.Camera();
     this.mesh = new THREE.Mesh(new THREE.BufferGeometry(), this.material);
     this.mesh.frustumCulled = false;
     this.cells = null;
@@ -65,7 +69,22 @@ export class Patch {
     geometry.setAttribute("scalar", new THREE.BufferAttribute(new Float32Array(rows * columns), 1));
     this.mesh.geometry.dispose();
     this.mesh.geometry = geometry;
-    this.material.uniforms.cells.value.set(nu, nv);
+    const { uniforms } = this.material;
+    uniforms.cells.value.set(nu, nv);
+    this.target?.dispose();
+    this.target = new THREE.WebGLRenderTarget(columns, rows, {
+      count: 2, type: THREE.FloatType, depthBuffer: false, minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter,
+    });
+    [uniforms.points.value, uniforms.normals.value] = this.target.textures;
+  }
+
+  // Adds up what is new, before the picture is drawn.
+  prepare(renderer) {
+    if (!this.isNew) return;
+    this.isNew = false;
+    renderer.setRenderTarget(this.target);
+    renderer.render(this.sum, this.eye);
+    renderer.setRenderTarget(null);
   }
 
   fillAmplitudes() {
@@ -81,7 +100,7 @@ export class Patch {
       }
     }));
     this.texture("amplitudes", table, width, 3 * count);
-    this.material.uniforms.count.value = count;
+    this.sum.material.uniforms.count.value = count;
   }
 
   fillBasis() {
@@ -97,7 +116,8 @@ export class Patch {
   }
 
   texture(name, table, width, height) {
-    const uniform = this.material.uniforms[name];
+    this.isNew = true;
+    const uniform = this.sum.material.uniforms[name];
     const old = uniform.value;
     if (old && old.image.width === width && old.image.height === height) {
       old.image.data = table;
@@ -153,8 +173,11 @@ export class Patch {
 
   dispose() {
     this.mesh.geometry.dispose();
-    this.material.uniforms.amplitudes.value?.dispose();
-    this.material.uniforms.basis.value?.dispose();
+    this.sum.geometry.dispose();
+    this.sum.material.uniforms.amplitudes.value?.dispose();
+    this.sum.material.uniforms.basis.value?.dispose();
+    this.sum.material.dispose();
+    this.target?.dispose();
     this.material.dispose();
   }
 }

@@ -1,28 +1,27 @@
-// The shader: adds up the tables of a patch for each vertex and colours what comes out.
+// The shaders: one adds up the tables of a patch, one draws and colours what comes out.
 
 import * as THREE from "three";
 
 export const SHADES = ["plain", "zebra", "Gaussian curvature", "mean curvature", "residual", "gap"];
 
-const VERTEX = `
+// Once for every new table: a pixel for each vertex, which holds its position and Gaussian curvature, and its normal and
+// mean curvature. Drawing then fetches two values a vertex, however large the basis is.
+const SUM = `
+precision highp float;
 precision highp sampler2D;
 uniform sampler2D amplitudes, basis;
 uniform int count;
-uniform vec2 cells;
-in vec2 node;
-in float scalar;
-out vec3 eye, normalTo;
-out vec2 place;
-out float gauss, mean, shade;
+layout(location = 0) out vec4 pointAndGauss;
+layout(location = 1) out vec4 normalAndMean;
 
 void main() {
-  ivec2 at = ivec2(node);
+  ivec2 at = ivec2(gl_FragCoord.xy);
   vec3 s = vec3(0.0), s_u = s, s_v = s, s_uu = s, s_uv = s, s_vv = s;
   for (int j = 0; j < count; j++) {
-    vec3 f = texelFetch(basis, ivec2(at.y, j), 0).xyz;
-    vec3 g = texelFetch(amplitudes, ivec2(at.x, j), 0).xyz;
-    vec3 g_u = texelFetch(amplitudes, ivec2(at.x, count + j), 0).xyz;
-    vec3 g_uu = texelFetch(amplitudes, ivec2(at.x, 2 * count + j), 0).xyz;
+    vec3 f = texelFetch(basis, ivec2(at.x, j), 0).xyz;
+    vec3 g = texelFetch(amplitudes, ivec2(at.y, j), 0).xyz;
+    vec3 g_u = texelFetch(amplitudes, ivec2(at.y, count + j), 0).xyz;
+    vec3 g_uu = texelFetch(amplitudes, ivec2(at.y, 2 * count + j), 0).xyz;
     s += f.x * g;
     s_u += f.x * g_u;
     s_uu += f.x * g_uu;
@@ -37,13 +36,30 @@ void main() {
   float E = dot(s_u, s_u), F = dot(s_u, s_v), G = dot(s_v, s_v);
   float L = dot(s_uu, n), M = dot(s_uv, n), N = dot(s_vv, n);
   float det = max(E * G - F * F, 1e-30);
-  gauss = (L * N - M * M) / det;
-  mean = (E * N - 2.0 * F * M + G * L) / (2.0 * det);
+  pointAndGauss = vec4(s, (L * N - M * M) / det);
+  normalAndMean = vec4(n, (E * N - 2.0 * F * M + G * L) / (2.0 * det));
+}`;
+
+const VERTEX = `
+precision highp sampler2D;
+uniform sampler2D points, normals;
+uniform vec2 cells;
+in vec2 node;
+in float scalar;
+out vec3 eye, normalTo;
+out vec2 place;
+out float gauss, mean, shade;
+
+void main() {
+  ivec2 at = ivec2(node.yx);
+  vec4 point = texelFetch(points, at, 0), n = texelFetch(normals, at, 0);
+  gauss = point.w;
+  mean = n.w;
   shade = scalar;
   place = node / cells;
-  vec4 seen = modelViewMatrix * vec4(s, 1.0);
+  vec4 seen = modelViewMatrix * vec4(point.xyz, 1.0);
   eye = seen.xyz;
-  normalTo = normalMatrix * n;
+  normalTo = normalMatrix * n.xyz;
   gl_Position = projectionMatrix * seen;
 }`;
 
@@ -100,18 +116,23 @@ export function sharedUniforms() {
   return { mode: { value: 0 }, lines: { value: false }, size: { value: 1 } };
 }
 
-export function material(shared) {
+export function drawing(shared) {
   return new THREE.ShaderMaterial({
     glslVersion: THREE.GLSL3,
     vertexShader: VERTEX,
     fragmentShader: FRAGMENT,
     side: THREE.DoubleSide,
-    uniforms: {
-      ...shared,
-      amplitudes: { value: null },
-      basis: { value: null },
-      count: { value: 0 },
-      cells: { value: new THREE.Vector2(1, 1) },
-    },
+    uniforms: { ...shared, points: { value: null }, normals: { value: null }, cells: { value: new THREE.Vector2(1, 1) } },
+  });
+}
+
+export function summing() {
+  return new THREE.ShaderMaterial({
+    glslVersion: THREE.GLSL3,
+    vertexShader: "void main() { gl_Position = vec4(position, 1.0); }",
+    fragmentShader: SUM,
+    depthTest: false,
+    depthWrite: false,
+    uniforms: { amplitudes: { value: null }, basis: { value: null }, count: { value: 0 } },
   });
 }

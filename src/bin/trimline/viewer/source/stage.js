@@ -52,6 +52,7 @@ export class Stage {
   }
 
   render() {
+    for (const patch of this.patches) patch.prepare(this.renderer);
     this.renderer.render(this.scene, this.camera);
     this.frames += 1;
     this.afterFrame.splice(0).forEach((report) => report());
@@ -151,7 +152,10 @@ export class Stage {
       values.forEach((vector, i) => {
         const foot = new THREE.Vector3(...feet[i]);
         const tip = new THREE.Vector3(...vector).multiplyScalar((0.2 * this.radius) / longest).add(foot);
-        const side = new THREE.Vector3().subVectors(tip, foot).cross(this.camera.up).normalize();
+        const along = new THREE.Vector3().subVectors(tip, foot);
+        // Barbs lie flat, or for an upright arrow in a plane of their own.
+        const isUpright = Math.hypot(along.x, along.y) < 1e-3 * Math.abs(along.z);
+        const side = along.cross(isUpright ? new THREE.Vector3(1, 0, 0) : this.camera.up).normalize();
         const barb = (sign) => tip.clone().lerp(foot, 0.25).addScaledVector(side, sign * 0.15 * tip.distanceTo(foot));
         points.push(foot, tip, tip, barb(1), tip, barb(-1));
       });
@@ -168,6 +172,14 @@ export class Stage {
   set lines(on) {
     this.shared.lines.value = on;
     this.invalidate();
+  }
+
+  // The position of a vertex as it is drawn.
+  vertex(i, j, index) {
+    this.render();
+    const values = new Float32Array(4);
+    this.renderer.readRenderTargetPixels(this.patches[index].target, j, i, 1, 1, values);
+    return Array.from(values.subarray(0, 3));
   }
 
   // How many pixels differ from the background, and a number that differs between pictures.

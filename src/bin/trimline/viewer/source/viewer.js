@@ -239,6 +239,8 @@ window.__trimline = {
   facts, state, requests,
   get frames() { return stage.frames; },
   get knowsAllTimes() { return stage.patches.every((patch) => !patch.data.is_instant || patch.motion !== null); },
+  // What the graphics card made of a vertex: its position in single precision.
+  vertex: (i, j, patch = 0) => stage.vertex(i, j, patch),
   pixels: () => stage.pixels(),
   point: (u, v, patch = 0) => stage.patches[patch].points([u], [v])[0][0],
 };

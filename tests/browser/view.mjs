@@ -1,0 +1,253 @@
+// The interactive view as its users meet it. Tests wait on facts that the page states about itself
+// (`window.__trimline`), never on the clock.
+
+import { copyFileSync, readFileSync, renameSync, writeFileSync } from "node:fs";
+import { basename, join } from "node:path";
+import { check, deviation, evaluate, example, examples, launch, runAll, serve, test, trimline } from "./harness.mjs";
+
+const browser = await launch();
+
+// Opens the view of a spec and runs `body`; everything the page asks for and complains about is judged at the end.
+async function viewing(spec, body, { hash = "", options = [], allowedErrors = 0 } = {}) {
+  const server = await serve(spec, options);
+  const context = await browser.newContext({ viewport: { width: 1000, height: 700 }, acceptDownloads: true });
+  const page = await context.newPage();
+  const complaints = [], strangers = [];
+  page.on("console", (message) => { if (["error", "warning"].includes(message.type())) complaints.push(message.text()); });
+  page.on("pageerror", (error) => complaints.push(String(error)));
+  page.on("request", (request) => { if (!/^(blob:|data:)/.test(request.url()) && !request.url().startsWith(server.address)) strangers.push(request.url()); });
+  try {
+    await page.goto(server.address + hash);
+    await page.waitForFunction(() => window.__trimline?.facts.answers > 0);
+    await body(page, server);
+    check(complaints.length <= allowedErrors, `the console says: ${complaints.join("; ")}`);
+    check(strangers.length === 0, `requests leave the server: ${strangers.join(" ")}`);
+  } finally {
+    await context.close();
+    server.stop();
+  }
+}
+
+const facts = (page) => page.evaluate(() => ({ ...window.__trimline.facts, time: window.__trimline.state.time,
+  camera: String(window.__trimline.state.camera), requests: window.__trimline.requests.length }));
+const pixels = (page) => page.evaluate(() => window.__trimline.pixels());
+const pointAt = (page, u, v) => page.evaluate(([u, v]) => window.__trimline.point(u, v), [u, v]);
+const answered = (page, before) => page.waitForFunction((n) => window.__trimline.facts.answers > n, before.answers);
+const setInput = (page, selector, value, kind = "input") => page.evaluate(([selector, value, kind]) => {
+  const input = document.querySelector(selector);
+  input.value = value;
+  input.dispatchEvent(new Event(kind, { bubbles: true }));
+}, [selector, value, kind]);
+
+function domain(spec) {
+  const [, low, high] = /v in \[([^,]+),([^\]]+)\]/.exec(readFileSync(spec, "utf8")) ?? [null, "0", "2π"];
+  const number = (text) => (text.includes("π") ? (parseFloat(text) || 1) * Math.PI : parseFloat(text));
+  return [number(low), number(high)];
+}
+
+for (const spec of examples) {
+  test(`page_of_${basename(spec, ".trim")}_draws_the_surface_that_eval_gives`, () => viewing(spec, async (page) => {
+    const { drawn, width, height } = await pixels(page);
+    check(drawn > 0.05 * width * height, `only ${drawn} of ${width * height} pixels are drawn`);
+    const { time } = await facts(page);
+    const [low, high] = domain(spec);
+    for (const [u, share] of [[0, 0.1], [0.37, 0.83], [1, 0.5]]) {
+      const v = low + share * (high - low);
+      const [expected] = evaluate(spec, [[u, v, time]]);
+      // The series agree to 1e-14 of the size, the browser's functions with the library's to units in the last place.
+      const found = await pointAt(page, u, v);
+      check(deviation(found, expected) < 1e-10, `at ${u}, ${v}: ${found} instead of ${expected}`);
+    }
+    const drawnVertex = await page.evaluate(() => window.__trimline.vertex(32, 64));
+    const [u, v] = [32 / 128, low + (64 / 256) * (high - low)];
+    // What is drawn: sums of some ten products in single precision.
+    check(deviation(drawnVertex, evaluate(spec, [[u, v, time]])[0]) < 1e-5, `the vertex at ${u}, ${v} is drawn at ${drawnVertex}`);
+    check(await page.locator("#equation math, #basis math").count() >= 5, "the mathematics are missing");
+  }));
+}
+
+test("slider_of_a_param_changes_the_surface", () => viewing(example("eq19"), async (page) => {
+  const [before, picture] = [await facts(page), await pixels(page)];
+  await setInput(page, "[data-name=h1] input[type=range]", "-1.5");
+  await answered(page, before);
+  check((await pixels(page)).hash !== picture.hash, "the picture is the same");
+  const [expected] = evaluate(example("eq19"), [[0.5, 1, before.time]], ["--set", "h1=-1.5"]);
+  check(deviation(await pointAt(page, 0.5, 1), expected) < 1e-10, "the surface is another one");
+}));
+
+test("every_coefficient_of_the_equation_has_a_slider", () => viewing(example("eq19"), async (page) => {
+  for (const name of ["beta", "gamma", "lambda", "rho", "eta"]) {
+    check(await page.locator(`[data-name=${name}] input[type=range]`).count() === 1, name);
+  }
+  const before = await facts(page);
+  await setInput(page, "[data-name=gamma] input[type=range]", "3");
+  await answered(page, before);
+  const [expected] = evaluate(example("eq19"), [[0.5, 1, before.time]], ["--set", "gamma=3"]);
+  check(deviation(await pointAt(page, 0.5, 1), expected) < 1e-10, "the surface is another one");
+}));
+
+test("value_that_is_no_number_shows_its_diagnostic_and_keeps_the_picture", () => viewing(example("eq19"), async (page) => {
+  const [before, picture] = [await facts(page), await pixels(page)];
+  await setInput(page, "[data-name=h1] input[type=text]", "2 +", "change");
+  await answered(page, before);
+  check((await page.locator("#findings").innerText()).includes("--set h1"), "the finding has no place");
+  check((await pixels(page)).hash === picture.hash, "the picture has changed");
+}));
+
+test("time_plays", () => viewing(example("eq19"), async (page) => {
+  await page.waitForFunction(() => window.__trimline.knowsAllTimes);
+  const { time } = await facts(page);
+  const picture = await pixels(page);
+  await page.click("#play");
+  await page.waitForFunction((time) => window.__trimline.state.time > time + 0.02, time);
+  await page.click("#play");
+  check((await pixels(page)).hash !== picture.hash, "the picture is the same");
+}));
+
+for (const [name, options, tolerance] of [["eq29_30", [], 2e-4], ["eq27", ["--method", "exact"], 1e-10]]) {
+  test(`time_of_512x512_${name}_${options.at(-1) ?? "sine"}_is_dragged_without_a_request`, () => viewing(example(name), async (page) => {
+    await page.waitForFunction(() => window.__trimline.knowsAllTimes);
+    const before = await facts(page);
+    const taken = [];
+    let last = await pixels(page);
+    for (let step = 1; step <= 8; step++) {
+      const t = step / 8 - 0.01;
+      await setInput(page, "#time", String(t));
+      const now = await pixels(page);
+      check(now.hash !== last.hash, `the picture at t = ${t} is that before`);
+      last = now;
+      taken.push((await facts(page)).tableMilliseconds);
+      // Between the instants that were solved, the surface is interpolated to 1e-4 of its size.
+      const [expected] = evaluate(example(name), [[0.5, 1, t]], options);
+      check(deviation(await pointAt(page, 0.5, 1), expected) < tolerance, `at t = ${t}`);
+    }
+    const after = await facts(page);
+    check(after.requests === before.requests, `${after.requests - before.requests} requests`);
+    const frame = await page.evaluate(() => { const began = performance.now(); window.__trimline.pixels(); return performance.now() - began; });
+    console.log(`        tables for an instant ${Math.max(...taken).toFixed(1)} ms at most; a frame, read back, ${frame.toFixed(0)} ms`);
+  }, { hash: "#grid=512x512", options }));
+}
+
+test("saved_edit_is_drawn_with_the_same_camera", (folder) => {
+  const spec = join(folder, "saved.trim");
+  copyFileSync(example("eq29_30"), spec);
+  return viewing(spec, async (page) => {
+    const text = readFileSync(spec, "utf8");
+    const { camera } = await facts(page);
+    const spans = [], servers = [];
+    for (let edit = 1; edit <= 9; edit++) {
+      const [before, picture] = [await facts(page), await pixels(page)];
+      const began = Date.now();
+      writeFileSync(spec, text.replace("h0 = 2.4", `h0 = ${2.4 + 0.02 * edit}`));
+      await page.waitForFunction((revision) => window.__trimline.facts.revision > revision, before.revision);
+      const after = await facts(page);
+      spans.push(after.drawnAt - began);
+      servers.push(after.serverMilliseconds);
+      check((await pixels(page)).hash !== picture.hash, "the picture is the same");
+      check(after.camera === camera, "the camera has moved");
+    }
+    const median = (numbers) => numbers.sort((a, b) => a - b)[Math.floor(numbers.length / 2)];
+    console.log(`        from saving to the new picture of 128x256: median ${median(spans).toFixed(0)} ms (worst ${Math.max(...spans).toFixed(0)} ms),`,
+      `of which the answer ${median(servers).toFixed(1)} ms`);
+  }, { hash: "#grid=128x256" });
+});
+
+test("broken_edit_shows_its_diagnostic_and_keeps_the_picture_until_it_is_mended", (folder) => {
+  const spec = join(folder, "broken.trim");
+  copyFileSync(example("eq19"), spec);
+  return viewing(spec, async (page) => {
+    const text = readFileSync(spec, "utf8");
+    const [before, picture] = [await facts(page), await pixels(page)];
+    writeFileSync(spec, text.replace("S_z = h0", "S_z = h9"));
+    await page.waitForFunction((revision) => window.__trimline.facts.revision > revision, before.revision);
+    const finding = await page.locator("#findings").innerText();
+    check(finding.includes("error[E0201]") && /S_z = h9\n.*\^\^/.test(finding), finding);
+    check((await pixels(page)).hash === picture.hash, "the picture has changed");
+    const broken = await facts(page);
+    // As most editors save: a new file takes the name.
+    writeFileSync(`${spec}.new`, text);
+    renameSync(`${spec}.new`, spec);
+    await page.waitForFunction((revision) => window.__trimline.facts.revision > revision, broken.revision);
+    check(await page.locator("#findings").isHidden(), "the finding stays");
+  });
+});
+
+test("spec_that_is_broken_from_the_start_is_served_and_mended", (folder) => {
+  const spec = join(folder, "start.trim");
+  writeFileSync(spec, "at u = 0: S_x = (1 + v\n");
+  return viewing(spec, async (page) => {
+    check((await page.locator("#findings").innerText()).includes("E0103"), "no finding");
+    const before = await facts(page);
+    copyFileSync(example("eq13"), spec);
+    await page.waitForFunction((revision) => window.__trimline.facts.revision > revision, before.revision);
+    check((await pixels(page)).drawn > 0, "nothing is drawn");
+  });
+});
+
+test("every_colouring_draws_its_own_picture", () => viewing(example("eq27"), async (page) => {
+  const seen = new Set();
+  for (const shade of ["plain", "zebra", "Gaussian curvature", "mean curvature", "residual", "gap"]) {
+    const before = await facts(page);
+    await setInput(page, "#shade", shade, "change");
+    if (shade === "residual") await page.waitForFunction((n) => document.querySelector("#legend-text").textContent.includes("residual") && window.__trimline.requests.length > n, before.requests);
+    seen.add((await pixels(page)).hash);
+    check(await page.locator("#legend").isHidden() === ["plain", "zebra"].includes(shade), `the legend of ${shade}`);
+  }
+  check(seen.size === 6, `${seen.size} different pictures`);
+  check((await facts(page)).gap < 1e-13, "the boundary is missed");
+}));
+
+test("layers_can_be_switched_off_and_lines_on", () => viewing(example("eq19"), async (page) => {
+  for (const name of ["trimlines", "edges", "arrows", "wireframe"]) {
+    const before = await pixels(page);
+    await page.click(`#layers input[name=${name}]`);
+    check((await pixels(page)).hash !== before.hash, name);
+  }
+}));
+
+test("address_restores_time_values_colouring_and_camera", () => viewing(example("eq19"), async (page) => {
+  await page.mouse.move(300, 300);
+  await page.mouse.down();
+  await page.mouse.move(420, 360, { steps: 4 });
+  await page.mouse.up();
+  await setInput(page, "#shade", "zebra", "change");
+  const before = await facts(page);
+  await setInput(page, "[data-name=h1] input[type=range]", "-4.5");
+  await answered(page, before);
+  await page.waitForFunction(() => window.__trimline.knowsAllTimes);
+  await setInput(page, "#time", "0.2");
+  await page.waitForFunction(() => /t=0.2/.test(location.hash) && /set=h1/.test(location.hash) && /camera=/.test(location.hash));
+  const { camera } = await facts(page);
+  await page.reload();
+  await page.waitForFunction(() => window.__trimline?.facts.answers > 0);
+  const after = await facts(page);
+  check(after.time === 0.2 && after.camera === camera, `${after.time} ${after.camera}, not ${camera}`);
+  check(await page.locator("#shade").inputValue() === "zebra", "the colouring is lost");
+  const [expected] = evaluate(example("eq19"), [[0.5, 1, 0.2]], ["--set", "h1=-4.5"]);
+  check(deviation(await pointAt(page, 0.5, 1), expected) < 1e-10, "the values are lost");
+}));
+
+test("exports_are_those_of_the_command_line_byte_for_byte", (folder) => viewing(example("eq27"), async (page) => {
+  const { time } = await facts(page);
+  const formats = (await page.locator("#keep button").allInnerTexts()).filter((name) => name !== "screenshot");
+  check(formats.length >= 3, `${formats}`);
+  for (const format of formats) {
+    const coming = page.waitForEvent("download");
+    await page.getByRole("button", { name: format, exact: true }).click();
+    const download = await coming;
+    check(download.suggestedFilename() === `eq27.${format}`, download.suggestedFilename());
+    const expected = join(folder, `expected.${format}`);
+    trimline(["mesh", example("eq27"), "-o", expected, "--grid", "128x256", "--time", String(time), "--quiet"]);
+    check(readFileSync(await download.path()).equals(readFileSync(expected)), format);
+  }
+}));
+
+test("screenshot_is_a_png", () => viewing(example("eq13"), async (page) => {
+  const coming = page.waitForEvent("download");
+  await page.getByRole("button", { name: "screenshot" }).click();
+  const bytes = readFileSync(await (await coming).path());
+  check(bytes.subarray(1, 4).toString() === "PNG" && bytes.length > 5000, `${bytes.length} bytes`);
+}));
+
+await runAll();
+await browser.close();
