@@ -30,7 +30,7 @@ use crate::limits::Limits;
 
 /// Words that are no names.
 const RESERVED_WORDS: &[&str] =
-    &["param", "let", "domain", "pde", "with", "at", "solve", "in", "surface", "patch", "join", "curve"];
+    &["param", "let", "domain", "pde", "with", "at", "solve", "in", "surface", "seam", "patch", "join", "curve"];
 
 /// Parses a spec.
 ///

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 /// Modules by rank; a module imports lower ranks and itself.
 const RANKS: &[(u8, &[&str])] = &[
-    (0, &["limits", "diagnostic"]),
+    (0, &["limits", "diagnostic", "kernels"]),
     (1, &["expr", "numeric"]),
     (2, &["syntax", "problem", "eval", "trial"]),
     (3, &["resolve", "decompose", "surface"]),
@@ -31,6 +31,9 @@ const FORBIDDEN: &[(&str, &str)] = &[
 
 /// Crates that belong to one place: the crate and the beginning of the paths that may name it.
 const CONFINED: &[(&str, &str)] = &[("pest", "syntax/"), ("cranelift", "eval/jit"), ("clap", "bin/")];
+
+/// Where `unsafe` may stand.
+const UNSAFE: &[&str] = &["eval/jit", "kernels/"];
 
 const EMPTY_NOUNS: &[&str] = &["util", "utils", "common", "helpers", "types", "manager", "engine", "context"];
 
@@ -200,9 +203,9 @@ fn check(file: &str, text: &str) -> Vec<Violation> {
         }
     }
     for line in lines_with(&code, "unsafe", false) {
-        if !file.starts_with("eval/jit") {
-            add(line, "`unsafe` belongs in eval/jit".to_owned());
-        } else if !names_a_type(&code, line) && !is_explained(text, line) {
+        if !UNSAFE.iter().any(|place| file.starts_with(place)) {
+            add(line, format!("`unsafe` belongs in {}", UNSAFE.join(" or ")));
+        } else if !only_declares(&code, line) && !is_explained(text, line) {
             add(line, "`unsafe` without a `// SAFETY:` line before it".to_owned());
         }
     }
@@ -223,10 +226,14 @@ fn check(file: &str, text: &str) -> Vec<Violation> {
     found
 }
 
-/// Whether `unsafe` on this line is part of a function pointer's type, which runs nothing.
-fn names_a_type(code: &str, line: usize) -> bool {
+/// Whether `unsafe` on this line declares a function, a trait or a function pointer's type, which runs nothing: the
+/// compiler is told to ask for a block of its own for each call in the function's body.
+fn only_declares(code: &str, line: usize) -> bool {
     let line = code.lines().nth(line - 1).unwrap_or("");
-    line.split("unsafe").skip(1).all(|rest| rest.trim_start().starts_with("extern") && rest.contains("fn("))
+    line.split("unsafe").skip(1).all(|rest| {
+        let rest = rest.trim_start();
+        rest.starts_with("fn ") || rest.starts_with("trait ") || (rest.starts_with("extern") && rest.contains("fn("))
+    })
 }
 
 /// Whether the comment right above `line`, or the statement it belongs to, says why it is safe.
@@ -355,11 +362,13 @@ fn planted_crates_outside_their_place_are_found() {
 
 #[test]
 fn planted_unsafe_is_found_unless_explained_in_the_jit() {
-    assert_eq!(rules("eval/interpreter.rs", "unsafe { f() }"), ["1: `unsafe` belongs in eval/jit"]);
+    assert_eq!(rules("eval/interpreter.rs", "unsafe { f() }"), ["1: `unsafe` belongs in eval/jit or kernels/"]);
     let bare = "fn f() {\n    let x = 1;\n    unsafe { g(x) }\n}";
     assert_eq!(rules("eval/jit.rs", bare), ["3: `unsafe` without a `// SAFETY:` line before it"]);
     let explained = "fn f() {\n    // SAFETY: g accepts every number.\n    unsafe { g(1) }\n}";
     assert!(rules("eval/jit.rs", explained).is_empty());
+    assert!(rules("kernels/mod.rs", "unsafe trait Lanes {\n    unsafe fn load();\n}").is_empty());
+    assert_eq!(rules("kernels/mod.rs", "fn f() { unsafe { g() } }").len(), 1);
     assert!(rules("eval/jit.rs", "type Entry = unsafe extern \"C\" fn(usize);").is_empty());
 }
 

@@ -11,8 +11,10 @@ fn explained(problem: &Problem, notation: Notation) -> Explanation {
     problem.explain(patch(problem), notation, &Limits::default()).expect("short")
 }
 
+/// The basis as text, without the name of the patch.
 fn basis(text: &str) -> String {
-    decomposition(text).to_text(Notation::Unicode, &Limits::default()).expect("short")
+    let basis = decomposition(text).to_text(Notation::Unicode, &Limits::default()).expect("short");
+    basis.split_once("`:").map(|(_, rest)| rest.to_owned()).expect("a heading")
 }
 
 /// The terms of the equation as text.

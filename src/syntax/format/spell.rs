@@ -8,7 +8,7 @@ use crate::expr::{Function, canonical_name, unicode_name};
 use crate::syntax::RESERVED_WORDS;
 
 /// Statements whose words are names of the document.
-const OF_NAMES: &[&str] = &["param", "let", "domain", "pde", "at", "surface"];
+const OF_NAMES: &[&str] = &["param", "let", "domain", "pde", "at", "surface", "patch", "join", "seam"];
 
 /// Spells the tokens of `lines` in `alphabet`.
 pub fn respell(lines: &mut [Line<'_>], alphabet: Alphabet) {
@@ -75,9 +75,13 @@ fn multiply_brackets(tokens: &mut Vec<Token<'_>>) {
     *tokens = spelled;
 }
 
-/// `∂u²∂v²` as `du2dv2`
+/// `∂u²∂v²` as `du2dv2`, `∂²S₁` as `d2S1`
 fn ascii_derivative(text: &str) -> String {
-    digits(&text.replace('∂', "d"))
+    let part = |part: &str| {
+        let plain = digits(part);
+        if plain.is_ascii() { plain } else { canonical_name(&plain) }
+    };
+    text.split('∂').map(part).collect::<Vec<_>>().join("d")
 }
 
 /// `b₁²` as `b1^2`
@@ -124,55 +128,69 @@ fn to_unicode(tokens: &mut Vec<Token<'_>>) {
     }
 }
 
-/// `d4S/du2dv2` as `∂⁴S/∂u²∂v²`, also with `(u, v, t)` before the bar.
+/// `d4S/du2dv2` as `∂⁴S/∂u²∂v²`, also with `(u, v, t)` before the bar; `dS1(u1, v, t)/du`, of a primary surface, too.
 fn spell_derivatives(tokens: &mut [Token<'_>]) {
-    let mut above: Option<usize> = None;
-    let mut found = Vec::new();
-    for (index, token) in tokens.iter().enumerate() {
+    for above in 0..tokens.len() {
+        let Some((below, has_arguments)) = below_of(tokens, above) else { continue };
+        let Some(spelled) = tokens.get(above).and_then(|token| unicode_above(&token.text, has_arguments)) else {
+            continue;
+        };
+        if let Some(token) = tokens.get_mut(above) {
+            token.text = Cow::Owned(spelled);
+        }
+        if let Some(token) = tokens.get_mut(below) {
+            token.text = Cow::Owned(unicode_below(&token.text));
+        }
+    }
+}
+
+/// The place of `du2` in `d2S/du2` and in `d2S(u, v, t)/du2`, and whether there are arguments, if the token at `above` is
+/// the word before them.
+fn below_of(tokens: &[Token<'_>], above: usize) -> Option<(usize, bool)> {
+    tokens.get(above).filter(|token| token.kind == Kind::Word && token.text.starts_with(['d', '∂']))?;
+    let mut depth = 0_usize;
+    let mut bar = above + 1;
+    while let Some(token) = tokens.get(bar).filter(|token| depth > 0 || token.kind == Kind::Open) {
         match token.kind {
-            Kind::Word if is_above(&token.text) => above = Some(index),
-            Kind::Word if is_below(&token.text) => {
-                let follows_bar = index.checked_sub(1).and_then(|bar| tokens.get(bar)).is_some_and(|bar| bar.is("/"));
-                found.extend(above.take().filter(|_| follows_bar).map(|above| [above, index]));
-            }
-            Kind::Word if matches!(&*token.text, "u" | "v" | "t") => {}
-            Kind::Open | Kind::Close | Kind::Comma => {}
-            Kind::Operator if token.is("/") => {}
-            _ => above = None,
+            Kind::Open => depth += 1,
+            Kind::Close => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        bar += 1;
+        if depth == 0 {
+            break;
         }
     }
-    for token in found.into_iter().flatten() {
-        if let Some(token) = tokens.get_mut(token) {
-            token.text = Cow::Owned(unicode_derivative(&token.text));
-        }
+    tokens.get(bar).filter(|token| token.is("/"))?;
+    tokens.get(bar + 1).filter(|token| token.kind == Kind::Word && is_below(&token.text))?;
+    Some((bar + 1, bar > above + 1))
+}
+
+/// `d4S` as `∂⁴S`; names of surfaces only with arguments behind them.
+fn unicode_above(text: &str, has_arguments: bool) -> Option<String> {
+    let rest = text.strip_prefix(['d', '∂'])?;
+    let name = rest.trim_start_matches(|c: char| digits(&c.to_string()).chars().all(|c| c.is_ascii_digit()));
+    let order = superscript(&digits(rest.strip_suffix(name)?));
+    let canonical = canonical_name(name);
+    match canonical.as_str() {
+        // An operator, `∂²/∂u²`.
+        "" if !has_arguments => Some(format!("∂{order}")),
+        "" => None,
+        "S" | "S_x" | "S_y" | "S_z" | "x" | "y" | "z" | "x1" | "x2" | "x3" => Some(format!("∂{order}{name}")),
+        _ if has_arguments => Some(format!("∂{order}{}", unicode_name(&canonical))),
+        _ => None,
     }
 }
 
-fn unicode_derivative(text: &str) -> String {
-    let mut spelled = String::new();
-    // The digits of `x1` are its name, those behind `d` and `u` are orders.
-    let mut is_name = false;
-    for c in text.chars() {
-        is_name |= matches!(c, 'S' | 'x' | 'y' | 'z');
-        match c {
-            'd' => spelled.push('∂'),
-            '0'..='9' if !is_name => spelled.push_str(&superscript(&c.to_string())),
-            _ => spelled.push(c),
-        }
-    }
-    spelled
+/// `du2dv` as `∂u²∂v`
+fn unicode_below(text: &str) -> String {
+    superscript(&digits(text)).replace('d', "∂")
 }
 
-/// `dS`, `d4S_x`, `dx_1`
-fn is_above(text: &str) -> bool {
-    let Some(rest) = text.strip_prefix('d') else { return false };
-    let rest = rest.trim_start_matches(|c: char| c.is_ascii_digit());
-    matches!(canonical_name(rest).as_str(), "S" | "S_x" | "S_y" | "S_z" | "x" | "y" | "z" | "x1" | "x2" | "x3")
-}
-
-/// `du4`, `du2dv2`
+/// `du4`, `du2dv2`, `∂u²`
 fn is_below(text: &str) -> bool {
-    let mut parts = text.split('d');
+    let plain = digits(text);
+    let mut parts = plain.split(['d', '∂']);
     parts.next() == Some("") && {
         let parts: Vec<&str> = parts.collect();
         let is_part = |part: &&str| {
