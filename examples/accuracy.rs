@@ -6,7 +6,6 @@ use trimline::blend::Blend;
 use trimline::diagnostic::{Code, Diagnostics, Source};
 use trimline::expr::Derivative;
 use trimline::method::{Options, Settings, Solution};
-use trimline::surface::Surface;
 use trimline::verify::Verification;
 
 fn main() -> Result<(), Diagnostics> {

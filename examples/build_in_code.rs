@@ -37,7 +37,14 @@ fn main() -> Result<(), Diagnostic> {
         condition(one, 1, [cos, sin, zero]),
     ];
 
-    let patch = Patch { name: "tube".to_owned(), domain, operator, conditions, solve: SolveRequest::default() };
+    let patch = Patch {
+        name: "tube".to_owned(),
+        domain,
+        operator,
+        conditions,
+        side_conditions: Vec::new(),
+        solve: SolveRequest::default(),
+    };
     let problem = Problem { graph, parameters, patches: vec![patch] };
     let blend = Blend::new(problem, &Options::default())?;
     let solution = blend.solve(0, 0.0)?;

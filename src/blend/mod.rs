@@ -194,7 +194,7 @@ impl Prepared {
         } else {
             format!("the solution misses its boundary by {:.1e}", measured.boundary_error())
         };
-        let origin = self.patch().conditions.iter().flat_map(|condition| condition.origins).flatten().next();
+        let origin = self.patch().boundary_origin();
         Err(Diagnostic::new(Code::PromiseBroken, message).at(origin).hint(
             "constraints that are nearly dependent, or coefficients of very different sizes, leave too few digits",
         ))

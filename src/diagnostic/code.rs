@@ -119,6 +119,10 @@ codes! {
     SeamOpens = "W0411", Warning, Numerical, "The boundary closes in v, and the surface between does not.";
     SolutionNotUnique = "W0412", Warning, Numerical, "The equation has other solutions with the same boundary.";
     PromiseBroken = "E0413", Error, Numerical, "A solution is not what its method promises.";
+    SidesDisagree = "E0701", Error, Source, "The sides of a patch do not fit together in a corner.";
+    TwistsDisagree = "N0702", Note, Source, "The sides of a patch have different twists in a corner.";
+    NotElliptic = "W0703", Warning, Numerical, "The equation is not elliptic, and data stand on all four sides.";
+    TermsTooFew = "W0704", Warning, Numerical, "A series has not settled.";
     LimitReached = "E0901", Error, Limit, "A limit was reached.";
     HostUnsupported = "N0902", Note, Host, "The machine lacks something; the work goes on another way.";
     OutputFailed = "E0903", Error, Output, "Writing a result failed.";

@@ -7,6 +7,7 @@
 
 mod equation;
 mod exact;
+mod four_sided;
 mod polynomial;
 mod settings;
 mod sine;
@@ -20,7 +21,7 @@ use crate::decompose::Decomposition;
 use crate::diagnostic::{Class, Code, Diagnostic, Diagnostics, Span};
 use crate::eval::Backend;
 use crate::limits::Limits;
-use crate::surface::SeparableSurface;
+use crate::surface::Surface;
 
 /// A way to solve a patch.
 pub trait Method: Sync {
@@ -33,7 +34,12 @@ pub trait Method: Sync {
     /// The settings it reads, by name.
     fn settings(&self) -> &'static [&'static str];
 
-    /// Whether it can treat the problem.
+    /// Whether it is for patches with data at fixed v as well as at fixed u.
+    fn is_four_sided(&self) -> bool {
+        false
+    }
+
+    /// Whether it can treat the problem. Asked only about patches that [`Method::is_four_sided`] fits.
     ///
     /// # Errors
     /// [`Code::UnsupportedByMethod`] with the reason.
@@ -61,7 +67,7 @@ pub trait Solver: Send + Sync {
 /// A solved patch.
 pub struct Solution {
     /// The surface.
-    pub surface: Arc<SeparableSurface>,
+    pub surface: Arc<dyn Surface + Send + Sync>,
     /// How it was found.
     pub report: Report,
 }
@@ -106,7 +112,7 @@ pub struct Options {
 
 /// Every method, in the order in which `auto` tries them.
 pub const METHODS: &[&dyn Method] =
-    &[&exact::Exact, &polynomial::Polynomial, &sine::SineSeries, &static_blend::StaticBlend];
+    &[&exact::Exact, &polynomial::Polynomial, &sine::SineSeries, &static_blend::StaticBlend, &four_sided::FourSided];
 
 /// The name that leaves the choice to the program.
 pub const AUTO: &str = "auto";
@@ -130,16 +136,16 @@ pub fn choose(
                 let finding = Diagnostic::new(Code::UnknownSetting, format!("there is no method `{name}`"));
                 return Err(finding.at(origin).hint(format!("methods: {}", known.join(", "))));
             };
-            method
-                .accepts(decomposition, limits)
+            fits(*method, decomposition)
+                .and_then(|()| method.accepts(decomposition, limits))
                 .map_err(|finding| if finding.span.is_none() { finding.at(origin) } else { finding })?;
             Ok(*method)
         }
         _ => {
             let mut reasons = Vec::new();
-            for method in METHODS {
+            for method in candidates(decomposition) {
                 match method.accepts(decomposition, limits) {
-                    Ok(()) => return Ok(*method),
+                    Ok(()) => return Ok(method),
                     // A limit says nothing about the problem; it is the user's to raise.
                     Err(reason) if reason.class() == Class::Limit => return Err(reason),
                     Err(reason) => reasons.push((method.name(), reason)),
@@ -155,10 +161,31 @@ pub fn choose(
     }
 }
 
+/// The methods that `auto` considers: those for as many sides as the patch has.
+fn candidates(decomposition: &Decomposition) -> impl Iterator<Item = &'static dyn Method> {
+    let is_four_sided = decomposition.patch.is_four_sided();
+    METHODS.iter().copied().filter(move |method| method.is_four_sided() == is_four_sided)
+}
+
+/// Refuses a method that would leave sides of the patch unread, or look for sides that are not there.
+fn fits(method: &dyn Method, decomposition: &Decomposition) -> Result<(), Diagnostic> {
+    let patch = &decomposition.patch;
+    if method.is_four_sided() == patch.is_four_sided() {
+        return Ok(());
+    }
+    let name = method.name();
+    let message = match method.is_four_sided() {
+        true => format!("the method `{name}` needs constraints at both ends of v as well, and there are none"),
+        false => format!("the method `{name}` has no place for constraints at fixed v"),
+    };
+    let others: Vec<&str> = candidates(decomposition).map(Method::name).collect();
+    Err(Diagnostic::new(Code::UnsupportedByMethod, message).hint(format!("methods: {}", others.join(", "))))
+}
+
 /// Why `auto`, when it chooses `method`, passed over the methods before it: one note each.
 #[must_use]
 pub fn passed_over(method: &dyn Method, decomposition: &Decomposition, limits: &Limits) -> Diagnostics {
-    let before = METHODS.iter().take_while(|other| other.name() != method.name());
+    let before = candidates(decomposition).take_while(|other| other.name() != method.name());
     let refusals =
         before.filter_map(|other| other.accepts(decomposition, limits).err().map(|reason| (other.name(), reason)));
     let note = |(name, reason): (&str, Diagnostic)| {

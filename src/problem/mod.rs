@@ -13,7 +13,7 @@ pub use operator::{PdeOperator, PdeTerm, STANDARD_COEFFICIENTS};
 pub use parameters::{Bindings, Parameter, ParameterKind};
 
 use crate::diagnostic::Span;
-use crate::expr::{ExprId, Graph};
+use crate::expr::{ExprId, Graph, Variable};
 
 /// The names of the components of S.
 pub const COMPONENTS: [&str; 3] = ["x", "y", "z"];
@@ -40,6 +40,8 @@ pub struct Patch {
     pub operator: PdeOperator,
     /// As many conditions as the operator's order in u, by position and then by order.
     pub conditions: Vec<BoundaryCondition>,
+    /// Conditions at fixed v, by position and then by order; empty unless all four sides carry data.
+    pub side_conditions: Vec<SideCondition>,
     /// How the document asks for it to be solved.
     pub solve: SolveRequest,
 }
@@ -52,6 +54,19 @@ pub struct BoundaryCondition {
     /// 0 for position, 1 for tangent, 2 for curvature.
     pub order: usize,
     /// The prescribed x, y and z, functions of v and t.
+    pub value: [ExprId; 3],
+    /// Where each component is written.
+    pub origins: [Option<Span>; 3],
+}
+
+/// `∂^order S/∂v^order (u, v, t) = value(u, t)` at one v.
+#[derive(Debug, Clone)]
+pub struct SideCondition {
+    /// The position, constant.
+    pub v: ExprId,
+    /// 0 for position, 1 for tangent.
+    pub order: usize,
+    /// The prescribed x, y and z, functions of u and t.
     pub value: [ExprId; 3],
     /// Where each component is written.
     pub origins: [Option<Span>; 3],
@@ -79,6 +94,29 @@ pub struct RequestedSetting {
     pub origin: Option<Span>,
 }
 
+impl Patch {
+    /// Whether data stand at fixed v as well as at fixed u.
+    #[must_use]
+    pub fn is_four_sided(&self) -> bool {
+        !self.side_conditions.is_empty()
+    }
+
+    /// The first place at which boundary data are written.
+    #[must_use]
+    pub fn boundary_origin(&self) -> Option<Span> {
+        let across = self.conditions.iter().flat_map(|condition| condition.origins);
+        across.chain(self.side_conditions.iter().flat_map(|side| side.origins)).flatten().next()
+    }
+}
+
+impl SideCondition {
+    /// What the condition fixes, for people: `S at v = 0`, `∂S/∂v at v = 1`.
+    #[must_use]
+    pub fn describe(&self, position: f64) -> String {
+        describe(None, self.order, Variable::V, position)
+    }
+}
+
 impl BoundaryCondition {
     /// What the condition fixes, for people: `S at u = 0`, `∂S/∂u at u = 1`.
     #[must_use]
@@ -90,16 +128,23 @@ impl BoundaryCondition {
 /// `S_y at u = 1`, `∂²S/∂u² at u = 0`: a constraint in the reader's words.
 #[must_use]
 pub fn describe_condition(component: Option<usize>, order: usize, position: f64) -> String {
+    describe(component, order, Variable::U, position)
+}
+
+/// A constraint on a derivative in `across`, which has the value `position` there.
+#[must_use]
+pub fn describe(component: Option<usize>, order: usize, across: Variable, position: f64) -> String {
+    let name = across.name();
     let unknown = match component.and_then(|index| COMPONENTS.get(index)) {
         Some(component) => format!("S_{component}"),
         None => "S".to_owned(),
     };
     let left = match order {
         0 => unknown,
-        1 => format!("∂{unknown}/∂u"),
-        2 => format!("∂²{unknown}/∂u²"),
-        3 => format!("∂³{unknown}/∂u³"),
-        _ => format!("∂^{order} {unknown}/∂u^{order}"),
+        1 => format!("∂{unknown}/∂{name}"),
+        2 => format!("∂²{unknown}/∂{name}²"),
+        3 => format!("∂³{unknown}/∂{name}³"),
+        _ => format!("∂^{order} {unknown}/∂{name}^{order}"),
     };
-    format!("{left} at u = {position}")
+    format!("{left} at {name} = {position}")
 }

@@ -48,7 +48,14 @@ pub fn resolve(document: &Document, name: &str, limits: &Limits) -> Result<Probl
     )?;
     let solve = solve_request(document)?;
     problem.graph = graph;
-    problem.patches.push(Patch { name: name.to_owned(), domain, operator, conditions, solve });
+    problem.patches.push(Patch {
+        name: name.to_owned(),
+        domain,
+        operator,
+        conditions,
+        side_conditions: Vec::new(),
+        solve,
+    });
     Ok(problem)
 }
 

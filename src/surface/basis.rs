@@ -1,4 +1,4 @@
-//! Basis functions F_j(v, t) and their derivatives as compiled programs.
+//! Basis functions F_j(v, t), or of u and t, and their derivatives as compiled programs.
 
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -6,15 +6,16 @@ use rustc_hash::FxHashMap;
 
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::eval::{Backend, Evaluator, Program, Samples, compile, first_non_finite};
-use crate::expr::{Derivative, ExprId, Graph, Notation};
+use crate::expr::{Derivative, ExprId, Graph, Notation, Variable};
 use crate::limits::Limits;
 
-/// Functions of v and t that can be evaluated together with any of their derivatives.
+/// Functions of v and t, or of u and t, that can be evaluated together with any of their derivatives.
 ///
 /// A derivative is made and compiled when it is first asked for, and kept.
 pub struct Basis {
     functions: Vec<(ExprId, Option<Span>)>,
     names: Vec<String>,
+    along: Variable,
     compiled: Mutex<Compiled>,
     backend: Backend,
     graph_nodes: usize,
@@ -38,7 +39,13 @@ impl Basis {
         };
         let names = functions.iter().map(name).collect();
         let compiled = Mutex::new(Compiled { graph, evaluators: FxHashMap::default() });
-        Basis { functions, names, compiled, backend, graph_nodes: limits.graph_nodes }
+        Basis { functions, names, along: Variable::V, compiled, backend, graph_nodes: limits.graph_nodes }
+    }
+
+    /// The basis for functions of u and t: everything said about v then holds for u.
+    #[must_use]
+    pub fn in_u(self) -> Basis {
+        Basis { along: Variable::U, ..self }
     }
 
     /// The text of every function; long ones are cut.
@@ -66,9 +73,13 @@ impl Basis {
     /// [`Code::NotDifferentiable`] for a derivative that does not exist, [`Code::LimitReached`] for one that grows too
     /// large, [`Code::DataNotFinite`] for the first value that is not finite, with its function.
     pub fn values(&self, derivative: Derivative, params: &[f64], v: &[f64], t: &[f64]) -> Result<Vec<f64>, Diagnostic> {
-        let evaluator = self.evaluator(Derivative { u: 0, ..derivative })?;
+        let derivative = match self.along {
+            Variable::U => Derivative::new(derivative.v, 0, derivative.t),
+            _ => Derivative { u: 0, ..derivative },
+        };
+        let evaluator = self.evaluator(derivative)?;
         let mut values = vec![0.0; self.len() * v.len()];
-        // The functions do not depend on u; any slice of the right length will do.
+        // The functions depend on u or on v, never on both.
         evaluator
             .evaluate(params, Samples { u: v, v, t }, &mut values)
             .map_err(|error| Diagnostic::new(Code::SolutionNotFinite, error.to_string()))?;
@@ -109,8 +120,9 @@ impl Basis {
         let of =
             if derivative == Derivative::NONE { String::new() } else { format!("the derivative `{derivative}` of ") };
         let at = |at: Option<&f64>| at.copied().unwrap_or(f64::NAN);
+        let along = self.along.name();
         let message =
-            format!("{of}`{name}` (basis function F{}) is {value} at v = {}, t = {}", function + 1, at(v), at(t));
+            format!("{of}`{name}` (basis function F{}) is {value} at {along} = {}, t = {}", function + 1, at(v), at(t));
         Diagnostic::new(Code::DataNotFinite, message)
             .at(origin)
             .hint("boundary data must be finite on the whole domain; change the function or the domain")
