@@ -43,6 +43,7 @@ fn main() -> Result<(), Diagnostic> {
         operator,
         conditions,
         side_conditions: Vec::new(),
+        deformations: Vec::new(),
         solve: SolveRequest::default(),
     };
     let problem = Problem { graph, parameters, patches: vec![patch] };

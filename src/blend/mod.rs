@@ -3,12 +3,15 @@
 //! A [`Blend`] is compiled once. Changing a parameter ([`Blend::set`]) changes numbers only: nothing is parsed,
 //! decomposed or compiled again. The library prints nothing, spawns nothing and reads no files.
 
+use std::sync::Arc;
+
 use crate::decompose::{Decomposition, decompose};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source};
 use crate::expr::canonical_name;
-use crate::method::{self, Options, Settings, Solution, Solver};
+use crate::method::{self, Options, Report, Settings, Solution, Solver};
 use crate::problem::{Bindings, DomainValues, Patch, Problem};
 use crate::resolve::{resolve, set_parameter};
+use crate::surface::{Bump, DeformedSurface};
 use crate::syntax;
 use crate::verify::{Verification, verify};
 
@@ -30,6 +33,8 @@ pub struct Prepared {
     /// Ranges of u, v and t for the current parameters.
     pub domain: DomainValues,
     solver: Box<dyn Solver>,
+    /// What is added to every solution.
+    bumps: Vec<Arc<Bump>>,
     /// What the choice of the method leaves to say about every solution.
     notes: Diagnostics,
 }
@@ -151,7 +156,10 @@ impl Prepared {
             return Err(finding.hint(format!("its settings: {}", method.settings().join(", "))));
         }
         let solver = method.prepare(&decomposition, &Options { settings, ..options.clone() })?;
-        Ok(Prepared { decomposition, domain, solver, notes })
+        let compiled =
+            |deformation| Bump::compile(problem, deformation, options.backend, &options.limits).map(Arc::new);
+        let bumps = decomposition.patch.deformations.iter().map(compiled).collect::<Result<_, _>>()?;
+        Ok(Prepared { decomposition, domain, solver, bumps, notes })
     }
 
     /// The patch.
@@ -160,11 +168,15 @@ impl Prepared {
         &self.decomposition.patch
     }
 
-    /// Solves at instant `t`.
+    /// Solves at instant `t`, deformations included.
     ///
     /// # Errors
-    /// As [`Solver::solve`].
+    /// As [`Solver::solve`]; [`Code::RegionDoesNotFit`] for a deformation outside the domain.
     pub fn solve(&self, bindings: &Bindings, t: f64) -> Result<Solution, Diagnostic> {
+        self.deformed(self.solve_plain(bindings, t)?, bindings)
+    }
+
+    fn solve_plain(&self, bindings: &Bindings, t: f64) -> Result<Solution, Diagnostic> {
         let mut solution = self.solver.solve(bindings.as_slice(), [self.domain.u, self.domain.v], t)?;
         solution.report.warnings.splice(0..0, self.notes.iter().cloned());
         Ok(solution)
@@ -181,13 +193,43 @@ impl Prepared {
         bindings: &Bindings,
         t: f64,
     ) -> Result<(Solution, Verification), Diagnostic> {
-        let solution = self.solve(bindings, t)?;
+        let plain = self.solve_plain(bindings, t)?;
+        let measured = self.verify(problem, bindings, &plain, t)?;
+        self.judge(&plain, &measured)?;
+        if self.bumps.is_empty() {
+            return Ok((plain, measured));
+        }
+        let solution = self.deformed(plain, bindings)?;
         let measured = self.verify(problem, bindings, &solution, t)?;
+        let miss = measured.boundary_error();
+        if miss <= LARGEST_MISS * measured.data_size.max(1.0) {
+            return Ok((solution, measured));
+        }
+        let message = format!("a deformation changes the boundary by {miss:.1e}");
+        let origin = self.patch().deformations.iter().find_map(|deformation| deformation.origin);
+        Err(Diagnostic::new(Code::RegionDoesNotFit, message)
+            .at(origin)
+            .hint("end its region inside the patch, or keep C1 where position and tangent are prescribed"))
+    }
+
+    /// The solution with its deformations, which do not satisfy the equation.
+    fn deformed(&self, solution: Solution, bindings: &Bindings) -> Result<Solution, Diagnostic> {
+        if self.bumps.is_empty() {
+            return Ok(solution);
+        }
+        let ranges = [self.domain.u, self.domain.v];
+        let surface = DeformedSurface::new(solution.surface, &self.bumps, bindings.as_slice(), ranges)?;
+        let report = Report { is_exact: false, ..solution.report };
+        Ok(Solution { surface: Arc::new(surface), report })
+    }
+
+    /// Refuses a solution that is not what its method promises.
+    fn judge(&self, solution: &Solution, measured: &Verification) -> Result<(), Diagnostic> {
         let miss = measured.boundary_error() / measured.data_size.max(1.0);
         let residual = if solution.report.is_exact { measured.relative_residual() } else { 0.0 };
         // Written so that NaN is refused.
         if miss <= LARGEST_MISS && residual <= LARGEST_EXACT_RESIDUAL {
-            return Ok((solution, measured));
+            return Ok(());
         }
         let message = if miss <= LARGEST_MISS {
             format!("the solution misses the equation by {residual:.1e} of its largest term, so it is not exact")

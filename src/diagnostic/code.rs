@@ -123,6 +123,7 @@ codes! {
     TwistsDisagree = "N0702", Note, Source, "The sides of a patch have different twists in a corner.";
     NotElliptic = "W0703", Warning, Numerical, "The equation is not elliptic, and data stand on all four sides.";
     TermsTooFew = "W0704", Warning, Numerical, "A series has not settled.";
+    RegionDoesNotFit = "E0705", Error, Source, "A deformation does not fit its patch.";
     LimitReached = "E0901", Error, Limit, "A limit was reached.";
     HostUnsupported = "N0902", Note, Host, "The machine lacks something; the work goes on another way.";
     OutputFailed = "E0903", Error, Output, "Writing a result failed.";

@@ -4,10 +4,12 @@
 //! text. Every expression lives in its graph. Nothing is solved here, and nothing depends on how the problem
 //! was written; places in a source are kept only to be shown in diagnostics.
 
+mod deformation;
 mod domain;
 mod operator;
 mod parameters;
 
+pub use deformation::Deformation;
 pub use domain::{Domain, DomainValues};
 pub use operator::{PdeOperator, PdeTerm, STANDARD_COEFFICIENTS};
 pub use parameters::{Bindings, Parameter, ParameterKind};
@@ -42,6 +44,8 @@ pub struct Patch {
     pub conditions: Vec<BoundaryCondition>,
     /// Conditions at fixed v, by position and then by order; empty unless all four sides carry data.
     pub side_conditions: Vec<SideCondition>,
+    /// What is added to the solved surface in parts of its domain.
+    pub deformations: Vec<Deformation>,
     /// How the document asks for it to be solved.
     pub solve: SolveRequest,
 }

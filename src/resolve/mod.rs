@@ -54,6 +54,7 @@ pub fn resolve(document: &Document, name: &str, limits: &Limits) -> Result<Probl
         operator,
         conditions,
         side_conditions: Vec::new(),
+        deformations: Vec::new(),
         solve,
     });
     Ok(problem)

@@ -4,6 +4,8 @@
 
 mod basis;
 mod coons;
+mod deformed;
+mod functions;
 mod gregory;
 mod separable;
 mod sides;
@@ -11,6 +13,8 @@ mod validity;
 
 pub use basis::Basis;
 pub use coons::CoonsSurface;
+pub use deformed::{Bump, DeformedSurface, Region};
+pub use functions::Functions;
 pub use separable::{Coefficients, SeparableSurface};
 pub use sides::{Corner, Sides};
 

@@ -24,6 +24,7 @@ const ELSEWHERE: &[(Code, &str)] = &[
     (Code::TwistsDisagree, "tests of the method `four_sided`"),
     (Code::NotElliptic, "tests of the method `four_sided`"),
     (Code::TermsTooFew, "tests of the method `four_sided`"),
+    (Code::RegionDoesNotFit, "tests of deformations"),
     (Code::HostUnsupported, "a machine without machine code"),
     (Code::OutputFailed, "a full disk"),
     (Code::DegenerateNormals, "a mesh"),

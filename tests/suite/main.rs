@@ -9,6 +9,7 @@ mod architecture;
 #[cfg(feature = "cli")]
 mod cli;
 mod decompositions;
+mod deformations;
 mod derivatives;
 mod diagnostics;
 mod display;

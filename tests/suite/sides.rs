@@ -111,3 +111,21 @@ pub fn distance(blend: &Blend, found: &dyn Surface, expected: Vector, derivative
     }
     worst
 }
+
+/// A surface given by expressions, evaluated in the plainest way.
+pub struct ClosedForm {
+    pub graph: Graph,
+    pub vector: Vector,
+    pub params: Vec<f64>,
+}
+
+impl Surface for ClosedForm {
+    fn evaluate(&self, derivative: Derivative, points: &[[f64; 3]], values: &mut [[f64; 3]]) -> Result<(), Diagnostic> {
+        let mut graph = self.graph.clone();
+        let vector = differentiated(&mut graph, self.vector, derivative);
+        for (point, value) in points.iter().zip(values) {
+            *value = vector.map(|expr| graph.value(expr, &self.params, *point));
+        }
+        Ok(())
+    }
+}
