@@ -42,6 +42,7 @@ pub mod export;
 pub mod expr;
 pub mod limits;
 pub mod method;
+pub mod multisided;
 pub mod numeric;
 pub mod problem;
 pub mod resolve;

@@ -124,6 +124,9 @@ codes! {
     NotElliptic = "W0703", Warning, Numerical, "The equation is not elliptic, and data stand on all four sides.";
     TermsTooFew = "W0704", Warning, Numerical, "A series has not settled.";
     RegionDoesNotFit = "E0705", Error, Source, "A deformation does not fit its patch.";
+    EdgeCount = "E0706", Error, Source, "A loop has too few or too many edges.";
+    LoopOpen = "E0707", Error, Source, "A loop of edges does not close.";
+    ApexNotSmooth = "W0708", Warning, Source, "A patch is not smooth at its apex.";
     LimitReached = "E0901", Error, Limit, "A limit was reached.";
     HostUnsupported = "N0902", Note, Host, "The machine lacks something; the work goes on another way.";
     OutputFailed = "E0903", Error, Output, "Writing a result failed.";

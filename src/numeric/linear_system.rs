@@ -56,7 +56,11 @@ fn inverse_norm(lu: &LU<f64, Dyn, Dyn>, transposed: &LU<f64, Dyn, Dyn>) -> Optio
     for _ in 0..STEPS {
         let y = lu.solve(&x)?;
         let norm = column_norm(&y);
-        if !(norm > estimate) {
+        // NaN is no solution; otherwise the climb ends where it no longer rises.
+        if norm.is_nan() {
+            return None;
+        }
+        if norm <= estimate {
             break;
         }
         estimate = norm;

@@ -20,6 +20,7 @@ mod exports;
 mod four_sided;
 mod language;
 mod meshes;
+mod multisided;
 mod polynomial;
 mod reference;
 mod robustness;

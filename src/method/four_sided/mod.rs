@@ -4,6 +4,8 @@
 //! are added and made to satisfy the equation in the weak sense (Galerkin; docs/methods.md, P1 to P4). Position and
 //! tangent are exact for any number of corrections. t is a parameter: each instant has its own corrections.
 
+mod apex;
+mod corners;
 mod solver;
 mod system;
 mod weak_form;
@@ -92,7 +94,8 @@ impl Method for FourSided {
         let (at_u, at_v) = data(patch);
         let data = at_u.iter().chain(&at_v).map(|(expr, _)| *expr);
         let varies_in_time = outputs.iter().copied().chain(data).any(|expr| graph.dependence(expr).t);
-        // These run over the nodes of one quadrature for each solution: interpreting is done before compiling would be.
+        // Data are curves, and coefficients are needed at the nodes of one quadrature: interpreting is done before
+        // compiling would be.
         let backend = if options.backend == Backend::Auto { Backend::Interpreter } else { options.backend };
         let (values, note) = compile(Program::compile(&graph, &outputs), backend);
         let positions: Vec<ExprId> = patch
@@ -110,8 +113,8 @@ impl Method for FourSided {
             varies_in_time,
             values,
             positions,
-            at_u: Arc::new(Basis::new(graph.clone(), at_u, options.backend, limits)),
-            at_v: Arc::new(Basis::new(graph, at_v, options.backend, limits).in_u()),
+            at_u: Arc::new(Basis::new(graph.clone(), at_u, backend, limits)),
+            at_v: Arc::new(Basis::new(graph, at_v, backend, limits).in_u()),
             boundary: patch.boundary_origin(),
             equation: patch.operator.origin,
             note,

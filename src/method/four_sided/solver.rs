@@ -12,7 +12,7 @@ use crate::eval::{Evaluator, Samples};
 use crate::expr::Derivative;
 use crate::method::{Method, Report, Solution, Solver};
 use crate::numeric::gauss_rule;
-use crate::surface::{Basis, Coefficients, CoonsSurface, Corner, Sides, Surface};
+use crate::surface::{Basis, Coefficients, CoonsSurface, Sides, Surface};
 use crate::trial::{CorrectedTrial, IntegratedLegendre, Modes};
 
 /// A compiled problem.
@@ -41,8 +41,6 @@ pub struct FourSidedSolver {
     pub note: Option<Diagnostic>,
 }
 
-/// Sides that differ by less than this share of their size meet; the boundary is met as closely.
-const MEETS: f64 = 1e-9;
 /// Where the last terms move the surface by more than this share of its size, the series has not settled.
 const SETTLED: f64 = 1e-3;
 /// Amplifications below this are not mentioned; to the next a note, then a warning; above the last, there is no solution.
@@ -79,6 +77,7 @@ impl Solver for FourSidedSolver {
             corrections: Vec::new(),
             instant: None,
         };
+        report.warnings.extend(self.apexes(params, ranges, size, t)?);
         report.warnings.extend(self.ellipticity(&quadrature));
         let [in_u, in_v] = self.terms;
         let levels = quadrature.force.len();
@@ -195,59 +194,6 @@ impl FourSidedSolver {
         Ok(size)
     }
 
-    /// Refuses sides that do not meet in a corner; says where their twists differ.
-    fn check_corners(
-        &self,
-        sides: &Sides,
-        params: &[f64],
-        size: f64,
-        t: f64,
-        report: &mut Report,
-    ) -> Result<[bool; 4], Diagnostic> {
-        let [[low_u, high_u], [low_v, high_v]] = sides.ranges;
-        let units = [1.0, high_u - low_u, high_v - low_v, (high_u - low_u) * (high_v - low_v)];
-        let corners = sides.corners(params, t, 0)?;
-        let place = |corner: &Corner| {
-            let [i, j] = corner.ends;
-            format!("u = {}, v = {}", if i == 0 { low_u } else { high_u }, if j == 0 { low_v } else { high_v })
-        };
-        // Written so that NaN does not meet.
-        let meets = |differences: &[f64], units: &[f64]| {
-            differences.iter().zip(units).all(|(difference, unit)| difference * unit <= MEETS * size)
-        };
-        let differences = corners.map(|corner| corner.mismatch());
-        let first_open = corners.iter().zip(&differences).find(|(_, all)| !meets(all.split_at(3).0, &units));
-        if let Some((corner, [s, s_u, s_v, _])) = first_open {
-            let message = format!(
-                "the sides do not fit together in the corner {}: S differs by {s:.1e}, ∂S/∂u by {s_u:.1e}, ∂S/∂v by {s_v:.1e}",
-                place(corner)
-            );
-            let mut finding = Diagnostic::new(Code::SidesDisagree, message).at(self.boundary);
-            for (corner, [s, s_u, s_v, s_uv]) in corners.iter().zip(&differences) {
-                finding = finding.hint(format!(
-                    "{}: differences in S {s:.1e}, ∂S/∂u {s_u:.1e}, ∂S/∂v {s_v:.1e}, ∂²S/∂u∂v {s_uv:.1e}",
-                    place(corner)
-                ));
-            }
-            return Err(finding.hint(
-                "a side's position must end where its neighbour's begins, and its slope there must be the neighbour's tangent",
-            ));
-        }
-        let is_twisted = differences.map(|[.., twist]| !(twist * units[3] <= MEETS * size));
-        for ((corner, [.., twist]), _) in
-            corners.iter().zip(&differences).zip(is_twisted).filter(|(_, is_twisted)| *is_twisted)
-        {
-            let message = format!(
-                "the sides' twists differ by {twist:.1e} in the corner {}: the surface has no second derivatives there",
-                place(corner)
-            );
-            report.warnings.push(Diagnostic::new(Code::TwistsDisagree, message).at(self.boundary).hint(
-                "for a smoother corner let ∂/∂v of the tangent at fixed u and ∂/∂u of the tangent at fixed v agree there",
-            ));
-        }
-        Ok(is_twisted)
-    }
-
     /// A warning where the leading part of the equation changes its sign with the direction.
     fn ellipticity(&self, quadrature: &Quadrature) -> Option<Diagnostic> {
         let [points_u, points_v] = quadrature.nodes.each_ref().map(Vec::len);
@@ -273,7 +219,8 @@ impl FourSidedSolver {
                     leading.iter().map(value).sum()
                 };
                 let start = symbol(0);
-                if (0..DIRECTIONS).any(|direction| !(symbol(direction) * start > 0.0)) {
+                let is_elliptic = (0..DIRECTIONS).all(|direction| symbol(direction) * start > 0.0);
+                if !is_elliptic {
                     let name = crate::problem::COMPONENTS.get(component).unwrap_or(&"?");
                     let message = format!(
                         "the equation for S_{name} is not elliptic everywhere, so data on all four sides need not fit it"
