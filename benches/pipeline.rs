@@ -15,7 +15,6 @@ use trimline::limits::Limits;
 use trimline::method::{Options, Settings, choose};
 use trimline::problem::Bindings;
 use trimline::resolve::resolve;
-use trimline::surface::Surface;
 use trimline::syntax;
 use trimline::tessellate::{Grid, tessellate};
 

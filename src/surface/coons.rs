@@ -1,7 +1,7 @@
 //! Surfaces from data on four sides: the bicubically blended Coons surface, and corrections that no side can see.
 //!
 //! `S = Σ_a H_a(u) X_a(v) + Σ_b H_b(v) Y_b(u) - Σ_ab H_a(u) H_b(v) C_ab + Σ_mn c_mn f_m(u) f_n(v)` (docs/methods.md,
-//! P2). H are the cubic Hermite functions of each range, X and Y the data, C what the corners state, f functions with
+//! H1). H are the cubic Hermite functions of each range, X and Y the data, C what the corners state, f functions with
 //! double zeros at both ends. So position and tangent on every side are those stated, whatever the c_mn.
 
 use std::sync::Arc;

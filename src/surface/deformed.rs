@@ -1,7 +1,7 @@
 //! Surfaces with local deformations: any surface, and displacements that act on parts of its domain.
 //!
 //! A displacement and its derivatives up to the order it keeps vanish on the border of its region (docs/methods.md,
-//! G1), so the surface stays as smooth across the border as that order says, and as it was elsewhere.
+//! L1), so the surface stays as smooth across the border as that order says, and as it was elsewhere.
 
 use std::sync::Arc;
 

@@ -2,7 +2,7 @@
 //!
 //! With x and y the distances from the corner across and along the blend, each in units of its range, the twist
 //! `(x a + y b) / (x + y)` is b on the side x = 0 and a on the side y = 0. It is `(a + b)/2 + r (a - b)/2` with
-//! `r = (x - y)/(x + y) = 1 - 2 y/(x + y)` (docs/methods.md, P3).
+//! `r = (x - y)/(x + y) = 1 - 2 y/(x + y)` (docs/methods.md, H2).
 
 /// `∂^m_x ∂^n_y (x - y)/(x + y)`; 0 at the corner itself, the mean over all directions.
 pub(super) fn turn(m: usize, n: usize, x: f64, y: f64) -> f64 {

@@ -99,11 +99,19 @@ fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     norm([a[0] - b[0], a[1] - b[1], a[2] - b[2]])
 }
 
-fn normal(surface: &dyn Surface, u: f64, v: f64, t: f64) -> [f64; 3] {
-    let n = cross(at(surface, Derivative::new(1, 0, 0), u, v, t), at(surface, Derivative::new(0, 1, 0), u, v, t));
-    let length = norm(n);
-    assert!(length > 1e-3, "a normal at u = {u}, v = {v}");
-    n.map(|x| x / length)
+/// Unit normals on a grid.
+fn normals(surface: &dyn Surface, u: &[f64], v: &[f64], t: f64) -> Vec<[f64; 3]> {
+    let tangents = [Derivative::new(1, 0, 0), Derivative::new(0, 1, 0)].map(|derivative| {
+        let mut values = vec![[0.0; 3]; u.len() * v.len()];
+        surface.evaluate_grid(derivative, (u, v, t), &mut values).expect("points of the patch");
+        values
+    });
+    let unit = |(a, b): (&[f64; 3], &[f64; 3])| {
+        let n = cross(*a, *b);
+        assert!(norm(n) > 1e-3, "a normal");
+        n.map(|x| x / norm(n))
+    };
+    tangents[0].iter().zip(&tangents[1]).map(unit).collect()
 }
 
 /// The angle of two unit vectors in degrees, to rounding where it is small.
@@ -123,13 +131,17 @@ fn seams_of_loops_with_three_to_eight_edges_are_closed_and_smooth() {
         assert_eq!(edges.seams().len(), count);
         for seam in edges.seams() {
             let (left, right) = (&*solutions[seam.left].surface, &*solutions[seam.right].surface);
-            for step in 0..=20 {
-                let along = f64::from(step) / 20.0;
-                gap = gap.max(distance(
-                    at(left, Derivative::NONE, 1.0, along, 0.5),
-                    at(right, Derivative::NONE, along, 1.0, 0.5),
-                ));
-                bend = bend.max(angle(normal(left, 1.0, along, 0.5), normal(right, along, 1.0, 0.5)));
+            let lines: Vec<f64> = (0..=20).map(|step| f64::from(step) / 20.0).collect();
+            let positions = |surface: &dyn Surface, u: &[f64], v: &[f64]| {
+                let mut values = vec![[0.0; 3]; lines.len()];
+                surface.evaluate_grid(Derivative::NONE, (u, v, 0.5), &mut values).expect("points of the patch");
+                values
+            };
+            for (a, b) in positions(left, &[1.0], &lines).into_iter().zip(positions(right, &lines, &[1.0])) {
+                gap = gap.max(distance(a, b));
+            }
+            for (a, b) in normals(left, &[1.0], &lines, 0.5).into_iter().zip(normals(right, &lines, &[1.0], 0.5)) {
+                bend = bend.max(angle(a, b));
             }
         }
         // A few rounding errors of numbers of size 1; an angle of rounding errors in degrees.
@@ -148,12 +160,9 @@ fn loops_are_filled_without_folds_and_keep_their_edges() {
             assert!(solution.report.warnings.is_empty(), "{count}.{index}: {:?}", solution.report.warnings);
             let measured = blend.verify(index, solution, 0.5).expect("finite");
             assert!(measured.boundary_error() < 1e-14, "{count}.{index}: {:?}", measured.boundary_errors);
-            for i in 0..=12 {
-                for j in 0..=12 {
-                    let (u, v) = (f64::from(i) / 12.0, f64::from(j) / 12.0);
-                    let up = normal(&*solution.surface, u, v, 0.5)[2];
-                    assert!(up > 0.2, "{count}.{index}: {up} at {u}, {v}");
-                }
+            let lines: Vec<f64> = (0..=12).map(|step| f64::from(step) / 12.0).collect();
+            for normal in normals(&*solution.surface, &lines, &lines, 0.5) {
+                assert!(normal[2] > 0.2, "{count}.{index}: {normal:?}");
             }
         }
     }

@@ -1,7 +1,7 @@
 //! Patches with position and tangent on all four sides, after You and Zhang 2003, Section VI (corrected and completed).
 //!
 //! The bicubically blended Coons surface of the data meets the boundary; corrections with double zeros on every side
-//! are added and made to satisfy the equation in the weak sense (Galerkin; docs/methods.md, P1 to P4). Position and
+//! are added and made to satisfy the equation in the weak sense (Galerkin; docs/methods.md, H1 to H4). Position and
 //! tangent are exact for any number of corrections. t is a parameter: each instant has its own corrections.
 
 mod apex;

@@ -1,7 +1,7 @@
 //! The equation tested with functions that vanish with their first derivatives on all four sides.
 //!
 //! For such a φ every term may hand derivatives on, without boundary terms: `∫ c ∂S φ = ± ∫ ∂'S ∂''(c φ)`, up to two in
-//! u and two in v (docs/methods.md, P4). So an equation of order four asks only for second derivatives of S, which exist
+//! u and two in v (docs/methods.md, H3). So an equation of order four asks only for second derivatives of S, which exist
 //! where the twists of a corner disagree, while fourth ones are not even square integrable there.
 
 use nalgebra::DMatrix;
