@@ -10,7 +10,6 @@ use trimline::problem::{
     BoundaryCondition, Domain, Parameter, ParameterKind, Patch, PdeOperator, Problem, STANDARD_COEFFICIENTS,
     SolveRequest,
 };
-use trimline::surface::Surface;
 
 fn main() -> Result<(), Diagnostic> {
     let mut graph = Graph::new();
