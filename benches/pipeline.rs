@@ -16,7 +16,7 @@ use trimline::method::{METHODS, Method, Options, Settings};
 use trimline::net::fill;
 use trimline::problem::Bindings;
 use trimline::resolve::resolve;
-use trimline::surface::{KnotVector, Surface};
+use trimline::surface::KnotVector;
 use trimline::syntax;
 use trimline::tessellate::{Grid, tessellate};
 

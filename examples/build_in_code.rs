@@ -10,7 +10,6 @@ use trimline::problem::{
     BoundaryCondition, Domain, Parameter, ParameterKind, Patch, PdeOperator, Problem, STANDARD_COEFFICIENTS,
     SolveRequest,
 };
-use trimline::surface::Surface;
 
 fn main() -> Result<(), Diagnostic> {
     let mut graph = Graph::new();
@@ -43,6 +42,8 @@ fn main() -> Result<(), Diagnostic> {
         operator,
         conditions,
         joins: Vec::new(),
+        side_conditions: Vec::new(),
+        deformations: Vec::new(),
         solve: SolveRequest::default(),
     };
     let problem = Problem { graph, parameters, patches: vec![patch], ..Problem::default() };

@@ -7,7 +7,6 @@ use trimline::blend::Blend;
 use trimline::diagnostic::{Class, Diagnostic, Diagnostics, Source};
 use trimline::expr::Derivative;
 use trimline::method::Options;
-use trimline::surface::Surface;
 
 const SPEC: &str = "
 param r = 1, lift = 0.5

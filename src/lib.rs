@@ -5,7 +5,7 @@
 //! differentiates them symbolically, compiles them, and solves for a surface that meets its boundary exactly.
 //!
 //! ```
-//! use trimline::{blend::Blend, diagnostic::Source, expr::Derivative, method::Options, surface::Surface};
+//! use trimline::{blend::Blend, diagnostic::Source, expr::Derivative, method::Options};
 //!
 //! let text = "param r = 1
 //!     at u = 0: S = [r cos v, r sin v, 1],  ∂S/∂u = [0, 0, -1]
@@ -45,6 +45,7 @@ pub mod fit;
 pub mod kernels;
 pub mod limits;
 pub mod method;
+pub mod multisided;
 pub mod net;
 pub mod numeric;
 pub mod problem;

@@ -4,12 +4,15 @@
 //! decomposed again, and nothing compiled, unless a term of the equation vanishes or returns, or `auto` chooses
 //! another method. The library prints nothing, spawns nothing and reads no files.
 
+use std::sync::Arc;
+
 use crate::decompose::{Decomposition, decompose};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source};
 use crate::expr::canonical_name;
-use crate::method::{self, Choice, Numbers, Options, Settings, Solution, Solver};
+use crate::method::{self, Choice, Numbers, Options, Report, Settings, Solution, Solver};
 use crate::problem::{Bindings, DomainValues, Patch, Problem};
 use crate::resolve::{resolve, set_parameter};
+use crate::surface::{Bump, DeformedSurface};
 use crate::syntax;
 use crate::verify::{Verification, verify};
 
@@ -31,6 +34,8 @@ pub struct Prepared {
     /// Ranges of u, v and t for the current parameters.
     pub domain: DomainValues,
     solver: Box<dyn Solver>,
+    /// What is added to every solution.
+    bumps: Vec<Arc<Bump>>,
     /// The method, and what its choice leaves to say about every solution.
     choice: Choice,
 }
@@ -41,6 +46,13 @@ enum Update {
     Numbers(DomainValues),
     /// Another equation or another method.
     Anew(Box<Prepared>),
+}
+
+/// By how much a truncated series says that it misses its boundary, and once more, since its own measurement may lie
+/// between these points.
+fn announced(solution: &Solution) -> f64 {
+    let announced = solution.report.truncation.filter(|truncation| !truncation.has_remainder);
+    announced.map_or(0.0, |truncation| 2.0 * truncation.left_out)
 }
 
 /// The method that `options` or the document ask for.
@@ -166,7 +178,10 @@ impl Prepared {
             return Err(finding.hint(format!("its settings: {}", method.settings().join(", "))));
         }
         let solver = method.prepare(&decomposition, &Options { settings, ..options.clone() })?;
-        Ok(Prepared { decomposition, domain, solver, choice })
+        let compiled =
+            |deformation| Bump::compile(problem, deformation, options.backend, &options.limits).map(Arc::new);
+        let bumps = decomposition.patch.deformations.iter().map(compiled).collect::<Result<_, _>>()?;
+        Ok(Prepared { decomposition, domain, solver, bumps, choice })
     }
 
     /// What new values of the parameters change.
@@ -191,11 +206,15 @@ impl Prepared {
         &self.decomposition.patch
     }
 
-    /// Solves at instant `t`.
+    /// Solves at instant `t`, deformations included.
     ///
     /// # Errors
-    /// As [`Solver::solve`].
+    /// As [`Solver::solve`]; [`Code::RegionDoesNotFit`] for a deformation outside the domain.
     pub fn solve(&self, bindings: &Bindings, t: f64) -> Result<Solution, Diagnostic> {
+        self.deformed(self.solve_plain(bindings, t)?, bindings)
+    }
+
+    fn solve_plain(&self, bindings: &Bindings, t: f64) -> Result<Solution, Diagnostic> {
         let mut solution = self.solver.solve(bindings.as_slice(), [self.domain.u, self.domain.v], t)?;
         solution.report.warnings.splice(0..0, self.choice.notes.iter().cloned());
         Ok(solution)
@@ -212,23 +231,50 @@ impl Prepared {
         bindings: &Bindings,
         t: f64,
     ) -> Result<(Solution, Verification), Diagnostic> {
-        let solution = self.solve(bindings, t)?;
+        let plain = self.solve_plain(bindings, t)?;
+        let measured = self.verify(problem, bindings, &plain, t)?;
+        self.judge(&plain, &measured)?;
+        if self.bumps.is_empty() {
+            return Ok((plain, measured));
+        }
+        let solution = self.deformed(plain, bindings)?;
         let measured = self.verify(problem, bindings, &solution, t)?;
-        // A truncated series says by how much it misses its boundary; its own measurement may lie between these points.
-        let announced = solution.report.truncation.filter(|truncation| !truncation.has_remainder);
-        let announced = announced.map_or(0.0, |truncation| 2.0 * truncation.left_out);
-        let miss = (measured.boundary_error() - announced) / measured.data_size.max(1.0);
+        let miss = measured.boundary_error() - announced(&solution);
+        if miss <= LARGEST_MISS * measured.data_size.max(1.0) {
+            return Ok((solution, measured));
+        }
+        let message = format!("a deformation changes the boundary by {miss:.1e}");
+        let origin = self.patch().deformations.iter().find_map(|deformation| deformation.origin);
+        Err(Diagnostic::new(Code::RegionDoesNotFit, message)
+            .at(origin)
+            .hint("end its region inside the patch, or keep C1 where position and tangent are prescribed"))
+    }
+
+    /// The solution with its deformations, which do not satisfy the equation.
+    fn deformed(&self, solution: Solution, bindings: &Bindings) -> Result<Solution, Diagnostic> {
+        if self.bumps.is_empty() {
+            return Ok(solution);
+        }
+        let ranges = [self.domain.u, self.domain.v];
+        let surface = DeformedSurface::new(solution.surface, &self.bumps, bindings.as_slice(), ranges)?;
+        let report = Report { is_exact: false, ..solution.report };
+        Ok(Solution { surface: Arc::new(surface), report })
+    }
+
+    /// Refuses a solution that is not what its method promises.
+    fn judge(&self, solution: &Solution, measured: &Verification) -> Result<(), Diagnostic> {
+        let miss = (measured.boundary_error() - announced(solution)) / measured.data_size.max(1.0);
         let residual = if solution.report.is_exact { measured.relative_residual() } else { 0.0 };
         // Written so that NaN is refused.
         if miss <= LARGEST_MISS && residual <= LARGEST_EXACT_RESIDUAL {
-            return Ok((solution, measured));
+            return Ok(());
         }
         let message = if miss <= LARGEST_MISS {
             format!("the solution misses the equation by {residual:.1e} of its largest term, so it is not exact")
         } else {
             format!("the solution misses its boundary by {:.1e}", measured.boundary_error())
         };
-        let origin = self.patch().conditions.iter().flat_map(|condition| condition.origins).flatten().next();
+        let origin = self.patch().boundary_origin();
         Err(Diagnostic::new(Code::PromiseBroken, message).at(origin).hint(
             "constraints that are nearly dependent, or coefficients of very different sizes, leave too few digits",
         ))

@@ -55,12 +55,19 @@ pub struct BasisFunction {
 
 /// Decomposes the boundary data of `patch`, which belongs to `problem`.
 ///
+/// Where all four sides carry data there is nothing to factor: the basis is empty.
+///
 /// Cost: the number of monomials of the expanded data, which is bounded.
 ///
 /// # Errors
 /// [`Code::LimitReached`] when an expansion or the basis grows past its limit, with the function and its place.
 pub fn decompose(problem: &Problem, patch: &Patch, limits: &Limits) -> Result<Decomposition, Diagnostic> {
     let mut graph = problem.graph.clone();
+    if patch.is_four_sided() {
+        let coefficients = vec![Vec::new(); patch.conditions.len()];
+        let operator = patch.operator.clone();
+        return Ok(Decomposition { graph, patch: patch.clone(), operator, basis: Vec::new(), coefficients });
+    }
     let zero = graph.integer(0);
     // For each basis function: its place, and its coefficient in each condition and component.
     type Row = (Option<Span>, Vec<[ExprId; 3]>);

@@ -135,6 +135,15 @@ codes! {
     SeamCreased = "W0607", Warning, Numerical, "Patches meet in a crease.";
     ToleranceNotReached = "E0608", Error, Numerical, "A B-spline does not come as close to a surface as asked.";
     BadSplineFile = "E0609", Error, Source, "A file of B-splines cannot be read.";
+    SidesDisagree = "E0701", Error, Source, "The sides of a patch do not fit together in a corner.";
+    TwistsDisagree = "N0702", Note, Source, "The sides of a patch have different twists in a corner.";
+    NotElliptic = "W0703", Warning, Numerical, "The equation is not elliptic, and data stand on all four sides.";
+    TermsTooFew = "W0704", Warning, Numerical, "A series has not settled.";
+    RegionDoesNotFit = "E0705", Error, Source, "A deformation does not fit its patch.";
+    EdgeCount = "E0706", Error, Source, "A loop has too few or too many edges.";
+    LoopOpen = "E0707", Error, Source, "A loop of edges does not close.";
+    ApexNotSmooth = "W0708", Warning, Source, "A patch is not smooth at its apex.";
+    NotSeparable = "E0709", Error, Unsupported, "A surface is not a sum of products.";
     LimitReached = "E0901", Error, Limit, "A limit was reached.";
     HostUnsupported = "N0902", Note, Host, "The machine lacks something; the work goes on another way.";
     OutputFailed = "E0903", Error, Output, "Writing a result failed.";

@@ -8,6 +8,7 @@
 mod equation;
 mod exact;
 mod fitting;
+mod four_sided;
 mod fourier;
 mod legendre;
 mod polynomial;
@@ -24,7 +25,7 @@ use crate::diagnostic::{Class, Code, Diagnostic, Diagnostics, Span};
 use crate::eval::Backend;
 use crate::limits::Limits;
 use crate::problem::DomainValues;
-use crate::surface::SeparableSurface;
+use crate::surface::{SeparableSurface, Surface};
 
 /// A way to solve a patch.
 pub trait Method: Sync {
@@ -37,7 +38,12 @@ pub trait Method: Sync {
     /// The settings it reads, by name.
     fn settings(&self) -> &'static [&'static str];
 
-    /// Whether it can treat the problem.
+    /// Whether it is for patches with data at fixed v as well as at fixed u.
+    fn is_four_sided(&self) -> bool {
+        false
+    }
+
+    /// Whether it can treat the problem. Asked only about patches that [`Method::is_four_sided`] fits.
     ///
     /// # Errors
     /// [`Code::UnsupportedByMethod`] with the reason.
@@ -73,9 +79,23 @@ pub trait Solver: Send + Sync {
 /// A solved patch.
 pub struct Solution {
     /// The surface.
-    pub surface: Arc<SeparableSurface>,
+    pub surface: Arc<dyn Surface + Send + Sync>,
     /// How it was found.
     pub report: Report,
+}
+
+impl Solution {
+    /// The surface as a sum of products, for what needs its functions and not only its points.
+    ///
+    /// # Errors
+    /// [`Code::NotSeparable`] for patches with data on four sides, and for deformed ones.
+    pub fn separable(&self) -> Result<&SeparableSurface, Diagnostic> {
+        self.surface.as_separable().ok_or_else(|| {
+            let message = "this surface is no sum of products of functions of u and of v, t";
+            Diagnostic::new(Code::NotSeparable, message)
+                .hint("patches with constraints at fixed v or with deformations can be evaluated, meshed and rendered")
+        })
+    }
 }
 
 /// What a method knows about its own solution.
@@ -127,7 +147,7 @@ pub struct Options {
     pub limits: Limits,
 }
 
-/// Every method; those after [`AUTOMATIC`] are chosen by name alone.
+/// Every method; those that are not [`AUTOMATIC`] are chosen by name alone.
 pub const METHODS: &[&dyn Method] = &[
     &exact::Exact,
     &fourier::Fourier,
@@ -135,10 +155,11 @@ pub const METHODS: &[&dyn Method] = &[
     &polynomial::Polynomial,
     &sine::SineSeries,
     &static_blend::StaticBlend,
+    &four_sided::FourSided,
 ];
 
-/// The methods that `auto` tries, in this order.
-pub const AUTOMATIC: &[&dyn Method] = &[&exact::Exact, &fourier::Fourier, &legendre::Legendre];
+/// The methods that `auto` tries, in this order, among those for as many sides as the patch has.
+pub const AUTOMATIC: &[&dyn Method] = &[&exact::Exact, &fourier::Fourier, &legendre::Legendre, &four_sided::FourSided];
 
 /// The name that leaves the choice to the program.
 pub const AUTO: &str = "auto";
@@ -183,8 +204,8 @@ pub fn choose(
         let finding = Diagnostic::new(Code::UnknownSetting, format!("there is no method `{name}`"));
         return Err(finding.at(origin).hint(format!("methods: {}", known.join(", "))));
     };
-    method
-        .accepts(decomposition, limits)
+    fits(method, decomposition)
+        .and_then(|()| method.accepts(decomposition, limits))
         .map_err(|finding| if finding.span.is_none() { finding.at(origin) } else { finding })?;
     Ok(Choice { method, is_automatic: false, notes: Diagnostics::new() })
 }
@@ -196,7 +217,7 @@ fn choose_automatically(
     limits: &Limits,
 ) -> Result<Choice, Diagnostic> {
     let mut reasons: Vec<(&str, Diagnostic)> = Vec::new();
-    for method in AUTOMATIC.iter().copied() {
+    for method in on_its_sides(AUTOMATIC, decomposition) {
         match method.accepts(decomposition, limits).and_then(|()| method.suits(decomposition, numbers)) {
             Ok(()) => {
                 let note = |(name, reason): (&str, Diagnostic)| {
@@ -216,6 +237,30 @@ fn choose_automatically(
         finding = finding.hint(format!("{name}: {}", reason.message));
     }
     Err(finding)
+}
+
+/// Those of `methods` that are for as many sides as the patch has.
+fn on_its_sides(
+    methods: &'static [&'static dyn Method],
+    decomposition: &Decomposition,
+) -> impl Iterator<Item = &'static dyn Method> {
+    let is_four_sided = decomposition.patch.is_four_sided();
+    methods.iter().copied().filter(move |method| method.is_four_sided() == is_four_sided)
+}
+
+/// Refuses a method that would leave sides of the patch unread, or look for sides that are not there.
+fn fits(method: &dyn Method, decomposition: &Decomposition) -> Result<(), Diagnostic> {
+    let patch = &decomposition.patch;
+    if method.is_four_sided() == patch.is_four_sided() {
+        return Ok(());
+    }
+    let name = method.name();
+    let message = match method.is_four_sided() {
+        true => format!("the method `{name}` needs constraints at both ends of v as well, and there are none"),
+        false => format!("the method `{name}` has no place for constraints at fixed v"),
+    };
+    let others: Vec<&str> = on_its_sides(METHODS, decomposition).map(Method::name).collect();
+    Err(Diagnostic::new(Code::UnsupportedByMethod, message).hint(format!("methods: {}", others.join(", "))))
 }
 
 /// The systems that a fitted method is about to solve.

@@ -1,11 +1,12 @@
-//! Plain numerics: cardinal polynomials, Chebyshev series, collocation nodes, least squares, banded systems, trigonometric
-//! series. Knows nothing of the project.
+//! Plain numerics: cardinal polynomials, Chebyshev series, collocation nodes, least squares, square and banded systems,
+//! trigonometric series. Knows nothing of the project.
 
 mod banded;
 mod cardinal;
 mod chebyshev;
 mod fourier;
 mod least_squares;
+mod linear_system;
 mod nodes;
 
 pub use banded::{Banded, CyclicBanded};
@@ -13,4 +14,5 @@ pub use cardinal::CardinalPolynomials;
 pub use chebyshev::ChebyshevSeries;
 pub use fourier::trigonometric_coefficients;
 pub use least_squares::{LeastSquares, LeastSquaresError};
-pub use nodes::{NodeKind, nodes};
+pub use linear_system::LinearSystem;
+pub use nodes::{NodeKind, gauss_rule, nodes};

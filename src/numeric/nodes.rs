@@ -42,6 +42,17 @@ pub fn nodes(kind: NodeKind, count: usize, [low, high]: [f64; 2]) -> Vec<f64> {
     }
 }
 
+/// The nodes and weights of Gauss' rule with `count` nodes: exact for polynomials up to degree `2 count - 1`.
+#[must_use]
+pub fn gauss_rule(count: usize, range: [f64; 2]) -> (Vec<f64>, Vec<f64>) {
+    let weight = |index: usize| {
+        let x = legendre_zero(count, index);
+        let (_, slope) = legendre(count, x);
+        (range[1] - range[0]) / ((1.0 - x * x) * slope * slope)
+    };
+    (nodes(NodeKind::Gauss, count, range), (0..count).map(weight).collect())
+}
+
 /// Zero number `index`, from the right, of the Legendre polynomial of degree `degree`.
 fn legendre_zero(degree: usize, index: usize) -> f64 {
     let angle = std::f64::consts::PI * (index as f64 + 0.75) / (degree as f64 + 0.5);
@@ -81,6 +92,19 @@ mod tests {
         let expected = [-0.75_f64.sqrt(), 0.0, 0.75_f64.sqrt()];
         for (node, expected) in nodes(NodeKind::Chebyshev, 3, [-1.0, 1.0]).iter().zip(expected) {
             assert!((node - expected).abs() < 4.0 * f64::EPSILON, "{node} {expected}");
+        }
+    }
+
+    #[test]
+    fn gauss_rule_integrates_the_highest_power_it_should() {
+        for count in [1, 2, 5, 24, 48] {
+            let (nodes, weights) = gauss_rule(count, [0.0, 2.0]);
+            let power = 2 * count - 1;
+            let exponent = i32::try_from(power).expect("small");
+            let sum: f64 = nodes.iter().zip(&weights).map(|(x, weight)| weight * (0.5 * x).powi(exponent)).sum();
+            // ∫ (x/2)^p from 0 to 2 = 2/(p + 1); a rounding error for each term, and p for the power.
+            let error = (sum * (power + 1) as f64 / 2.0 - 1.0).abs();
+            assert!(error < 4.0 * power as f64 * f64::EPSILON, "{count}: {error:.1e}");
         }
     }
 

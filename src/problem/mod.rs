@@ -4,12 +4,14 @@
 //! text. Every expression lives in its graph. Nothing is solved here, and nothing depends on how the problem
 //! was written; places in a source are kept only to be shown in diagnostics.
 
+mod deformation;
 mod domain;
 mod explanation;
 mod operator;
 mod parameters;
 mod surface;
 
+pub use deformation::Deformation;
 pub use domain::{Domain, DomainValues};
 pub use explanation::Explanation;
 pub use operator::{PdeOperator, PdeTerm, STANDARD_COEFFICIENTS};
@@ -17,7 +19,7 @@ pub use parameters::{Bindings, Parameter, ParameterKind};
 pub use surface::{Join, PrimarySurface, Seam};
 
 use crate::diagnostic::Span;
-use crate::expr::{Derivative, ExprId, Graph, Notation};
+use crate::expr::{Derivative, ExprId, Graph, Notation, Variable};
 
 /// The names of the components of S.
 pub const COMPONENTS: [&str; 3] = ["x", "y", "z"];
@@ -50,6 +52,10 @@ pub struct Patch {
     pub conditions: Vec<BoundaryCondition>,
     /// The trimlines that lie on primary surfaces; what the conditions say of them stands there.
     pub joins: Vec<Join>,
+    /// Conditions at fixed v, by position and then by order; empty unless all four sides carry data.
+    pub side_conditions: Vec<SideCondition>,
+    /// What is added to the solved surface in parts of its domain.
+    pub deformations: Vec<Deformation>,
     /// How the document asks for it to be solved.
     pub solve: SolveRequest,
 }
@@ -62,6 +68,19 @@ pub struct BoundaryCondition {
     /// 0 for position, 1 for tangent, 2 for curvature.
     pub order: usize,
     /// The prescribed x, y and z, functions of v and t.
+    pub value: [ExprId; 3],
+    /// Where each component is written.
+    pub origins: [Option<Span>; 3],
+}
+
+/// `∂^order S/∂v^order (u, v, t) = value(u, t)` at one v.
+#[derive(Debug, Clone)]
+pub struct SideCondition {
+    /// The position, constant.
+    pub v: ExprId,
+    /// 0 for position, 1 for tangent.
+    pub order: usize,
+    /// The prescribed x, y and z, functions of u and t.
     pub value: [ExprId; 3],
     /// Where each component is written.
     pub origins: [Option<Span>; 3],
@@ -89,6 +108,29 @@ pub struct RequestedSetting {
     pub origin: Option<Span>,
 }
 
+impl Patch {
+    /// Whether data stand at fixed v as well as at fixed u.
+    #[must_use]
+    pub fn is_four_sided(&self) -> bool {
+        !self.side_conditions.is_empty()
+    }
+
+    /// The first place at which boundary data are written.
+    #[must_use]
+    pub fn boundary_origin(&self) -> Option<Span> {
+        let across = self.conditions.iter().flat_map(|condition| condition.origins);
+        across.chain(self.side_conditions.iter().flat_map(|side| side.origins)).flatten().next()
+    }
+}
+
+impl SideCondition {
+    /// What the condition fixes, for people: `S at v = 0`, `∂S/∂v at v = 1`.
+    #[must_use]
+    pub fn describe(&self, position: f64) -> String {
+        describe(None, self.order, Variable::V, position)
+    }
+}
+
 impl BoundaryCondition {
     /// What the condition fixes, for people: `S at u = 0`, `∂S/∂u at u = 1`.
     #[must_use]
@@ -100,10 +142,21 @@ impl BoundaryCondition {
 /// `S_y at u = 1`, `∂²S/∂u² at u = 0`: a constraint in the reader's words.
 #[must_use]
 pub fn describe_condition(component: Option<usize>, order: usize, position: f64) -> String {
+    describe(component, order, Variable::U, position)
+}
+
+/// A constraint on a derivative in `across`, which has the value `position` there.
+#[must_use]
+pub fn describe(component: Option<usize>, order: usize, across: Variable, position: f64) -> String {
+    let name = across.name();
     let unknown = match component.and_then(|index| COMPONENTS.get(index)) {
         Some(component) => format!("S_{component}"),
         None => "S".to_owned(),
     };
-    let left = Derivative::new(order, 0, 0).of(&unknown, Notation::Unicode);
-    format!("{left} at u = {position}")
+    let derivative = match across {
+        Variable::U => Derivative::new(order, 0, 0),
+        _ => Derivative::new(0, order, 0),
+    };
+    let left = derivative.of(&unknown, Notation::Unicode);
+    format!("{left} at {name} = {position}")
 }

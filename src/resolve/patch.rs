@@ -90,7 +90,8 @@ pub fn resolve(section: Section<'_>, bindings: Option<&Bindings>, reading: &mut 
     };
     let frame = boundary::Frame { order_in_u, numbers, place };
     let (conditions, joins) = boundary::resolve(&statements.boundaries, &frame, &scope, reading)?;
-    Some(Patch { name, domain, operator: operator?, conditions, joins, solve })
+    let (side_conditions, deformations) = (Vec::new(), Vec::new());
+    Some(Patch { name, domain, operator: operator?, conditions, joins, side_conditions, deformations, solve })
 }
 
 /// The seams that are stated between `patches`.

@@ -1,29 +1,18 @@
-//! Basis functions F_j(v, t) and their derivatives as compiled programs.
+//! Basis functions F_j(v, t), or of u and t, and their derivatives as compiled programs.
 
-use std::sync::{Arc, Mutex, PoisonError};
-
-use rustc_hash::FxHashMap;
-
+use super::Functions;
 use crate::diagnostic::{Code, Diagnostic, Span};
-use crate::eval::{Backend, Evaluator, Program, Samples, compile, first_non_finite};
-use crate::expr::{Derivative, ExprId, Graph, Notation};
+use crate::eval::{Backend, Program, Samples, first_non_finite};
+use crate::expr::{Derivative, ExprId, Graph, Notation, Variable};
 use crate::limits::Limits;
 
-/// Functions of v and t that can be evaluated together with any of their derivatives.
+/// Functions of v and t, or of u and t, that can be evaluated together with any of their derivatives.
 ///
 /// A derivative is made and compiled when it is first asked for, and kept.
 pub struct Basis {
-    functions: Vec<(ExprId, Option<Span>)>,
+    functions: Functions,
     names: Vec<String>,
-    compiled: Mutex<Compiled>,
-    backend: Backend,
-    graph_nodes: usize,
-}
-
-/// What grows when a new derivative is asked for.
-struct Compiled {
-    graph: Graph,
-    evaluators: FxHashMap<Derivative, Arc<dyn Evaluator>>,
+    along: Variable,
 }
 
 /// Longer functions are cut in messages.
@@ -37,8 +26,13 @@ impl Basis {
             graph.text(*expr, Notation::Ascii, NAME_BYTES).unwrap_or_else(|_| "a long expression".to_owned())
         };
         let names = functions.iter().map(name).collect();
-        let compiled = Mutex::new(Compiled { graph, evaluators: FxHashMap::default() });
-        Basis { functions, names, compiled, backend, graph_nodes: limits.graph_nodes }
+        Basis { functions: Functions::new(graph, functions, backend, limits), names, along: Variable::V }
+    }
+
+    /// The basis for functions of u and t: everything said about v then holds for u.
+    #[must_use]
+    pub fn in_u(self) -> Basis {
+        Basis { along: Variable::U, ..self }
     }
 
     /// The text of every function; long ones are cut.
@@ -66,12 +60,12 @@ impl Basis {
     /// [`Code::NotDifferentiable`] for a derivative that does not exist, [`Code::LimitReached`] for one that grows too
     /// large, [`Code::DataNotFinite`] for the first value that is not finite, with its function.
     pub fn values(&self, derivative: Derivative, params: &[f64], v: &[f64], t: &[f64]) -> Result<Vec<f64>, Diagnostic> {
-        let evaluator = self.evaluator(Derivative { u: 0, ..derivative })?;
-        let mut values = vec![0.0; self.len() * v.len()];
-        // The functions do not depend on u; any slice of the right length will do.
-        evaluator
-            .evaluate(params, Samples { u: v, v, t }, &mut values)
-            .map_err(|error| Diagnostic::new(Code::SolutionNotFinite, error.to_string()))?;
+        let derivative = match self.along {
+            Variable::U => Derivative::new(derivative.v, 0, derivative.t),
+            _ => Derivative { u: 0, ..derivative },
+        };
+        // The functions depend on u or on v, never on both.
+        let values = self.functions.values(derivative, params, Samples { u: v, v, t })?;
         match first_non_finite(&values, v.len()) {
             None => Ok(values),
             Some((function, sample, value)) => {
@@ -86,34 +80,7 @@ impl Basis {
     /// [`Code::NotDifferentiable`] for a derivative that does not exist, [`Code::LimitReached`] for one that grows too
     /// large.
     pub fn program(&self, derivatives: &[Derivative]) -> Result<Program, Diagnostic> {
-        let mut guard = self.compiled.lock().unwrap_or_else(PoisonError::into_inner);
-        let mut outputs = Vec::with_capacity(derivatives.len() * self.functions.len());
-        for derivative in derivatives {
-            outputs.extend(self.derived(&mut guard.graph, *derivative)?);
-        }
-        Ok(Program::compile(&guard.graph, &outputs))
-    }
-
-    /// A derivative of every function.
-    fn derived(&self, graph: &mut Graph, derivative: Derivative) -> Result<Vec<ExprId>, Diagnostic> {
-        let derived = |(expr, origin): &(ExprId, Option<Span>)| {
-            let result = graph.derivative_within(*expr, derivative, self.graph_nodes);
-            result.map_err(|fault| fault.to_diagnostic(derivative, self.graph_nodes).at(*origin))
-        };
-        self.functions.iter().map(derived).collect()
-    }
-
-    fn evaluator(&self, derivative: Derivative) -> Result<Arc<dyn Evaluator>, Diagnostic> {
-        // A panic elsewhere cannot leave the graph inconsistent: it only ever grows.
-        let mut guard = self.compiled.lock().unwrap_or_else(PoisonError::into_inner);
-        let Compiled { graph, evaluators } = &mut *guard;
-        if let Some(evaluator) = evaluators.get(&derivative) {
-            return Ok(Arc::clone(evaluator));
-        }
-        let outputs = self.derived(graph, derivative)?;
-        let (evaluator, _) = compile(Program::compile(graph, &outputs), self.backend);
-        evaluators.insert(derivative, Arc::clone(&evaluator));
-        Ok(evaluator)
+        self.functions.program(derivatives)
     }
 
     fn not_finite(
@@ -124,12 +91,13 @@ impl Basis {
         (v, t): (Option<&f64>, Option<&f64>),
     ) -> Diagnostic {
         let name = self.names.get(function).map_or("?", String::as_str);
-        let origin = self.functions.get(function).and_then(|(_, origin)| *origin);
+        let origin = self.functions.origin(function);
         let of =
             if derivative == Derivative::NONE { String::new() } else { format!("the derivative `{derivative}` of ") };
         let at = |at: Option<&f64>| at.copied().unwrap_or(f64::NAN);
+        let along = self.along.name();
         let message =
-            format!("{of}`{name}` (basis function F{}) is {value} at v = {}, t = {}", function + 1, at(v), at(t));
+            format!("{of}`{name}` (basis function F{}) is {value} at {along} = {}, t = {}", function + 1, at(v), at(t));
         Diagnostic::new(Code::DataNotFinite, message)
             .at(origin)
             .hint("boundary data must be finite on the whole domain; change the function or the domain")

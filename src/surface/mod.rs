@@ -4,12 +4,22 @@
 
 mod basis;
 pub mod bspline;
+mod coons;
+mod deformed;
+mod functions;
+mod gregory;
 mod separable;
+mod sides;
 mod symbolic;
+mod validity;
 
 pub use basis::Basis;
 pub use bspline::{BsplineCurve, BsplineSurface, KnotVector};
+pub use coons::CoonsSurface;
+pub use deformed::{Bump, DeformedSurface, Region};
+pub use functions::Functions;
 pub use separable::{Coefficients, SeparableSurface};
+pub use sides::{Corner, Sides};
 pub use symbolic::SymbolicSurface;
 
 use crate::diagnostic::Diagnostic;
@@ -25,6 +35,11 @@ pub trait Surface {
     /// A diagnostic when a value is not finite (naming the function and the point), when a needed derivative
     /// does not exist, or when the surface is not defined at a point's `t`. `values` is then unspecified.
     fn evaluate(&self, derivative: Derivative, points: &[[f64; 3]], values: &mut [[f64; 3]]) -> Result<(), Diagnostic>;
+
+    /// The surface as a sum of products over a finite basis, if it is one.
+    fn as_separable(&self) -> Option<&SeparableSurface> {
+        None
+    }
 
     /// Writes a partial derivative of S at instant `t` on the grid of all `u` and `v`, u-major:
     /// `values[i * v.len() + j]` belongs to `(u[i], v[j], t)`.

@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
+use super::validity::{check_instant, finite, unknown_in_time};
 use super::{Basis, Surface};
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::Diagnostic;
 use crate::expr::Derivative;
 use crate::trial::Modes;
 
@@ -43,25 +44,11 @@ impl SeparableSurface {
             match self.coefficients.get(s) {
                 Some(coefficients) => terms.push((coefficients, binomial, order - s)),
                 None if self.instant.is_none() => {}
-                None => {
-                    let message = format!("the derivative of order {order} in t is not known for this solution");
-                    return Err(Diagnostic::new(Code::UnsupportedByMethod, message)
-                        .hint("a fitted method knows the derivatives in t that the equation contains; `exact` knows all, and `pde with …` keeps the standard equation, which contains two"));
-                }
+                None => return Err(unknown_in_time(order)),
             }
             binomial = binomial * (order - s) as f64 / (s + 1) as f64;
         }
         Ok(terms)
-    }
-
-    fn check_instant(&self, t: f64) -> Result<(), Diagnostic> {
-        match self.instant {
-            Some(instant) if instant != t => {
-                let message = format!("this solution holds at t = {instant}, not at t = {t}");
-                Err(Diagnostic::new(Code::UnsupportedByMethod, message).hint("solve at that instant"))
-            }
-            _ => Ok(()),
-        }
     }
 
     /// `G_j(u) = Σ_m φ_m(u) C_mj` for every j, from the values of the modes.
@@ -90,8 +77,12 @@ impl SeparableSurface {
 type Rows = Vec<Vec<(usize, [f64; 3])>>;
 
 impl Surface for SeparableSurface {
+    fn as_separable(&self) -> Option<&SeparableSurface> {
+        Some(self)
+    }
+
     fn evaluate(&self, derivative: Derivative, points: &[[f64; 3]], values: &mut [[f64; 3]]) -> Result<(), Diagnostic> {
-        points.iter().try_for_each(|[_, _, t]| self.check_instant(*t))?;
+        points.iter().try_for_each(|[_, _, t]| check_instant(self.instant, *t))?;
         let v: Vec<f64> = points.iter().map(|[_, v, _]| *v).collect();
         let t: Vec<f64> = points.iter().map(|[_, _, t]| *t).collect();
         values.fill([0.0; 3]);
@@ -114,7 +105,7 @@ impl Surface for SeparableSurface {
         (u, v, t): (&[f64], &[f64], f64),
         values: &mut [[f64; 3]],
     ) -> Result<(), Diagnostic> {
-        self.check_instant(t)?;
+        check_instant(self.instant, t)?;
         let t = vec![t; v.len()];
         values.fill([0.0; 3]);
         for (coefficients, factor, order) in self.time_terms(derivative.t)? {
@@ -137,11 +128,4 @@ fn add_scaled(total: &mut [f64; 3], factor: f64, vector: &[f64; 3]) {
     for (sum, component) in total.iter_mut().zip(vector) {
         *sum += factor * component;
     }
-}
-
-fn finite(values: &[[f64; 3]]) -> Result<(), Diagnostic> {
-    if values.iter().flatten().all(|value| value.is_finite()) {
-        return Ok(());
-    }
-    Err(Diagnostic::new(Code::SolutionNotFinite, "the surface is not finite: its values overflow"))
 }

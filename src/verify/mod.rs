@@ -13,15 +13,15 @@ pub use seam::{Edge, SeamDeviation};
 
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::eval::{Backend, Program, Samples, compile};
-use crate::expr::{Derivative, ExprId, Graph, Notation};
+use crate::expr::{Derivative, ExprId, Graph, Notation, Variable};
 use crate::numeric::{NodeKind, nodes};
-use crate::problem::{Bindings, DomainValues, Patch, Problem, describe_condition};
+use crate::problem::{Bindings, BoundaryCondition, DomainValues, Patch, Problem, SideCondition, describe};
 use crate::surface::Surface;
 
 /// What was measured.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Verification {
-    /// The largest deviation from each boundary condition, in order.
+    /// The largest deviation from each boundary condition, in order: those at fixed u, then those at fixed v.
     pub boundary_errors: Vec<f64>,
     /// The largest residual of the equation, in any component.
     pub residual: f64,
@@ -68,7 +68,8 @@ const GRID: [usize; 2] = [23, 37];
 
 /// Measures `surface` as a solution of `patch` at instant `t`.
 ///
-/// The residual is taken inside the domain and on its border, 23 x 37 points.
+/// The residual is taken inside the domain and on its border, 23 x 37 points; if all four sides carry data, inside
+/// only.
 ///
 /// # Errors
 /// [`Code::DataNotFinite`] when the boundary data are not finite somewhere on the grid, whatever the surface
@@ -80,37 +81,82 @@ pub fn verify(
     (bindings, domain, t): (&Bindings, &DomainValues, f64),
 ) -> Result<Verification, Diagnostic> {
     let v = with_ends(GRID[1], domain.v);
-    let mut boundary_errors = Vec::with_capacity(patch.conditions.len());
-    let mut data_size = 0.0_f64;
-    for condition in &patch.conditions {
-        let u = bindings.constant(problem, condition.u, None, "the position of a boundary")?;
-        let stated = evaluate(&problem.graph, &condition.value, bindings, &[u], &v, t)?;
-        if let Some(at) = stated.iter().position(|value| !value.is_finite()) {
-            let component = at / v.len();
-            let text = condition.value.get(component).map(|expr| problem.graph.text(*expr, Notation::Ascii, 80));
-            let text = text.and_then(Result::ok).unwrap_or_else(|| "a long expression".to_owned());
-            let what = format!("`{text}` ({})", describe_condition(Some(component), condition.order, u));
-            let origin = condition.origins.get(component).copied().flatten();
-            return Err(not_finite(&what, stated.get(at).copied(), origin, v.get(at % v.len()), t));
-        }
-        data_size = stated.iter().fold(data_size, |most, value| most.max(value.abs()));
-        let mut found = vec![[0.0; 3]; v.len()];
-        surface.evaluate_grid(Derivative::new(condition.order, 0, 0), (&[u], &v, t), &mut found)?;
-        let mut error = 0.0_f64;
-        for (component, expected) in stated.chunks(v.len()).enumerate() {
-            for (found, expected) in found.iter().zip(expected) {
-                error = error.max((found.get(component).copied().unwrap_or(f64::NAN) - expected).abs());
-            }
-        }
-        boundary_errors.push(error);
-    }
     let u = with_ends(GRID[0], domain.u);
+    let mut boundary_errors = Vec::with_capacity(patch.conditions.len() + patch.side_conditions.len());
+    let mut data_size = 0.0_f64;
+    for side in sides(patch) {
+        let position = bindings.constant(problem, side.position, None, "the position of a boundary")?;
+        let (error, size) = boundary_error(problem, surface, bindings, &side, (position, [&u, &v], t))?;
+        boundary_errors.push(error);
+        data_size = data_size.max(size);
+    }
+    // Four sides meet in corners, where the data need not satisfy the equation: only the inside is judged.
+    let inside = |nodes: &[f64]| nodes.get(1..nodes.len() - 1).map(<[f64]>::to_vec).unwrap_or_default();
+    let (u, v) = if patch.is_four_sided() { (inside(&u), inside(&v)) } else { (u, v) };
     let (sums, largest_term) = equation(problem, patch, surface, bindings, (&u, &v, t))?;
     let residual = sums.iter().fold(0.0_f64, |most, sum| most.max(sum.abs()));
     let mut positions = vec![[0.0; 3]; u.len() * v.len()];
     surface.evaluate_grid(Derivative::NONE, (&u, &v, t), &mut positions)?;
     let size = positions.iter().flatten().fold(0.0_f64, |most, value| most.max(value.abs()));
     Ok(Verification { boundary_errors, residual, largest_term, size, data_size })
+}
+
+/// One condition, at fixed u or at fixed v.
+struct Side<'a> {
+    across: Variable,
+    position: ExprId,
+    order: usize,
+    value: &'a [ExprId; 3],
+    origins: &'a [Option<Span>; 3],
+}
+
+/// Every condition of a patch, in order.
+fn sides(patch: &Patch) -> impl Iterator<Item = Side<'_>> {
+    let at_u = patch.conditions.iter().map(|condition| {
+        let BoundaryCondition { u, order, value, origins } = condition;
+        Side { across: Variable::U, position: *u, order: *order, value, origins }
+    });
+    at_u.chain(patch.side_conditions.iter().map(|condition| {
+        let SideCondition { v, order, value, origins } = condition;
+        Side { across: Variable::V, position: *v, order: *order, value, origins }
+    }))
+}
+
+/// The largest deviation from one condition, and the largest value it prescribes.
+fn boundary_error(
+    problem: &Problem,
+    surface: &dyn Surface,
+    bindings: &Bindings,
+    side: &Side<'_>,
+    (position, [u, v], t): (f64, [&[f64]; 2], f64),
+) -> Result<(f64, f64), Diagnostic> {
+    let here = [position];
+    let is_at_u = side.across == Variable::U;
+    let (u, v, along, derivative) = if is_at_u {
+        (&here[..], v, v, Derivative::new(side.order, 0, 0))
+    } else {
+        (u, &here[..], u, Derivative::new(0, side.order, 0))
+    };
+    let stated = evaluate(&problem.graph, side.value, bindings, u, v, t)?;
+    if let Some(at) = stated.iter().position(|value| !value.is_finite()) {
+        let component = at / along.len();
+        let text = side.value.get(component).map(|expr| problem.graph.text(*expr, Notation::Ascii, 80));
+        let text = text.and_then(Result::ok).unwrap_or_else(|| "a long expression".to_owned());
+        let what = format!("`{text}` ({})", describe(Some(component), side.order, side.across, position));
+        let origin = side.origins.get(component).copied().flatten();
+        let name = if is_at_u { Variable::V.name() } else { Variable::U.name() };
+        return Err(not_finite(&what, stated.get(at).copied(), origin, (name, along.get(at % along.len())), t));
+    }
+    let size = stated.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+    let mut found = vec![[0.0; 3]; along.len()];
+    surface.evaluate_grid(derivative, (u, v, t), &mut found)?;
+    let mut error = 0.0_f64;
+    for (component, expected) in stated.chunks(along.len()).enumerate() {
+        for (found, expected) in found.iter().zip(expected) {
+            error = error.max((found.get(component).copied().unwrap_or(f64::NAN) - expected).abs());
+        }
+    }
+    Ok((error, size))
 }
 
 /// Gauss nodes, which no collocation grid with rational spacing shares, and both ends.
@@ -211,9 +257,10 @@ fn run(
     Ok(values)
 }
 
-fn not_finite(what: &str, value: Option<f64>, origin: Option<Span>, v: Option<&f64>, t: f64) -> Diagnostic {
-    let (value, v) = (value.unwrap_or(f64::NAN), v.copied().unwrap_or(f64::NAN));
-    Diagnostic::new(Code::DataNotFinite, format!("{what} is {value} at v = {v}, t = {t}"))
+fn not_finite(what: &str, value: Option<f64>, origin: Option<Span>, at: (&str, Option<&f64>), t: f64) -> Diagnostic {
+    let (name, at) = (at.0, at.1.copied().unwrap_or(f64::NAN));
+    let value = value.unwrap_or(f64::NAN);
+    Diagnostic::new(Code::DataNotFinite, format!("{what} is {value} at {name} = {at}, t = {t}"))
         .at(origin)
         .hint("boundary data must be finite on the whole domain; change the function or the domain")
 }

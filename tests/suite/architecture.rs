@@ -11,7 +11,7 @@ const RANKS: &[(u8, &[&str])] = &[
     (0, &["limits", "diagnostic", "kernels"]),
     (1, &["expr", "numeric"]),
     (2, &["syntax", "problem", "eval", "trial"]),
-    (3, &["resolve", "decompose", "surface"]),
+    (3, &["resolve", "decompose", "surface", "multisided"]),
     (4, &["method", "verify", "tessellate", "net", "fit"]),
     (5, &["blend", "emit", "export", "render"]),
 ];

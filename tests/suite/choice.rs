@@ -22,7 +22,7 @@ fn functions_of_time_need_no_closure_where_no_derivative_in_time_remains() {
     for t in [0.0, 0.3, 1.0] {
         let solution = blend.solve(0, t).expect("a solution");
         assert_eq!((solution.report.method, solution.report.is_exact), ("exact", true));
-        assert_eq!(solution.surface.instant, None);
+        assert_eq!(solution.separable().expect("a sum of products").instant, None);
         assert!(solution.report.warnings.is_empty());
         let measured = blend.verify(0, &solution, t).expect("finite");
         assert!(measured.boundary_error() < 1e-14 && measured.relative_residual() < 1e-12, "{measured:?}");

@@ -9,7 +9,6 @@ use trimline::diagnostic::{Code, Source};
 use trimline::emit::{Formula, Language, emit};
 use trimline::expr::Derivative;
 use trimline::method::Options;
-use trimline::surface::Surface;
 
 /// A surface to be emitted, and where it is compared.
 struct Case {
@@ -42,12 +41,17 @@ fn case(name: &str, text: &str, method: Option<&str>) -> Case {
     let instant = at(domain.t, 0.375);
     let solution = blend.solve(0, instant).unwrap_or_else(|found| panic!("{name}: {found}"));
     let title = format!("{name}{}", method.map_or(String::new(), |method| format!("-{method}")));
-    let formula = Formula::new(&title, &blend.problem, &solution.surface, domain).expect("a smooth surface");
+    let formula = Formula::new(&title, &blend.problem, solution.separable().expect("a sum of products"), domain)
+        .expect("a smooth surface");
     let mut points = Vec::new();
     for index in 0..24 {
         // Both ends, and nothing that falls on a node.
         let share = |step: f64| (step * f64::from(index)).fract();
-        let t = if solution.surface.instant.is_some() { instant } else { at(domain.t, share(0.618)) };
+        let t = if solution.separable().expect("a sum of products").instant.is_some() {
+            instant
+        } else {
+            at(domain.t, share(0.618))
+        };
         let u = if index < 2 { domain.u[index as usize] } else { at(domain.u, share(0.37)) };
         let point = [u, at(domain.v, share(0.7549)), t];
         let mut values = [[0.0; 3]; 3];

@@ -6,7 +6,6 @@ use trimline::blend::Blend;
 use trimline::diagnostic::{Code, Diagnostics, Source};
 use trimline::expr::Derivative;
 use trimline::method::{Options, Settings, Solution};
-use trimline::surface::Surface;
 
 const EQ19: &str = include_str!("../../examples/eq19.trim");
 

@@ -8,7 +8,7 @@ use trimline::expr::{Derivative, Notation};
 use trimline::limits::Limits;
 use trimline::verify::verify;
 
-use crate::spec::{Prepared, at, example, examples, patch};
+use crate::spec::{Prepared, at, example, examples, patch, separable};
 
 const FILES: [&str; 6] = ["K5_mid", "K5_end", "K7_mid", "K7_end", "K10_mid", "K10_end"];
 
@@ -79,7 +79,7 @@ fn published_coefficients_of_eq19_are_reproduced() {
                 let component = "xyz".find(&key[..1]).expect("a component");
                 let j = columns[key[1..].parse::<usize>().expect("a number") - 1];
                 for (k, expected) in values.as_array().expect("values").iter().enumerate() {
-                    let found = solution.surface.coefficients[0][(4 + k) * basis.len() + j][component];
+                    let found = separable(&solution).coefficients[0][(4 + k) * basis.len() + j][component];
                     let error = (found - expected.as_f64().expect("a number")).abs();
                     // A condition of up to 8e3 times a few hundred rounding errors of the largest coefficient.
                     assert!(error <= 1e-10 * most, "{case} t = {t} {key} k = {}: {error:.1e}", k + 1);
@@ -138,7 +138,7 @@ fn aliased_grid_of_the_paper_leaves_a_term_undetermined_and_says_so() {
     assert_eq!(solution.report.rank, 9);
     assert_eq!(solution.report.warnings.first().map(|warning| warning.code), Some(Code::RankDeficient));
     // The equation is met by the cubic alone, so the undetermined term does no harm here.
-    assert!(solution.surface.coefficients[0][4..].iter().flatten().all(|value| value.abs() < 1e-12));
+    assert!(separable(&solution).coefficients[0][4..].iter().flatten().all(|value| value.abs() < 1e-12));
 }
 
 #[test]
@@ -222,7 +222,7 @@ fn all_rows_at_once_give_the_fit_of_the_reduced_rows() {
         let expected = svd.solve(&right, 1e-12 * svd.singular_values.max()).expect("vectors were computed");
         for k in 0..terms {
             for axis in 0..3 {
-                let found = solution.surface.coefficients[0][(4 + k) * decomposition.basis.len() + j][axis];
+                let found = separable(&solution).coefficients[0][(4 + k) * decomposition.basis.len() + j][axis];
                 most = most.max(found.abs());
                 worst = worst.max((found - expected[(k, axis)]).abs());
             }
@@ -243,10 +243,10 @@ fn derivatives_of_the_fit_in_time_are_its_differences() {
     let second = |f: [f64; 5]| (-f[0] + 16.0 * f[1] - 30.0 * f[2] + 16.0 * f[3] - f[4]) / (12.0 * h * h);
     let steps = |value: &dyn Fn(usize) -> f64| [0, 1, 2, 3, 4].map(value);
     let mut compared = [0.0_f64; 2];
-    for index in 0..solved[2].surface.coefficients[0].len() {
+    for index in 0..separable(&solved[2]).coefficients[0].len() {
         for axis in 0..3 {
-            let found = [1, 2].map(|order| solved[2].surface.coefficients[order][index][axis]);
-            let values = steps(&|step| solved[step].surface.coefficients[0][index][axis]);
+            let found = [1, 2].map(|order| separable(&solved[2]).coefficients[order][index][axis]);
+            let values = steps(&|step| separable(&solved[step]).coefficients[0][index][axis]);
             for (order, expected) in [first(values), second(values)].into_iter().enumerate() {
                 let error = (found[order] - expected).abs();
                 assert!(error < 2e-5, "order {}, coefficient {index}: {error:.1e}", order + 1);
@@ -276,7 +276,6 @@ fn derivative_in_time_beyond_the_equation_is_refused_by_name() {
     let prepared = Prepared::new(&example("eq19"), &[]);
     let solution = prepared.solve(0.1);
     let mut values = [[0.0; 3]];
-    use trimline::surface::Surface;
     let orders = Derivative::new(0, 0, 3);
     let found = solution.surface.evaluate(orders, &[[0.5, 1.0, 0.1]], &mut values).expect_err("not known");
     assert!(found.message.contains("order 3 in t"), "{found}");

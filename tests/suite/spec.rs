@@ -7,7 +7,7 @@ use trimline::limits::Limits;
 use trimline::method::{Numbers, Options, Settings, Solution, Solver, choose};
 use trimline::problem::{Bindings, DomainValues, Patch, Problem};
 use trimline::resolve::resolve;
-use trimline::surface::Surface;
+use trimline::surface::{SeparableSurface, Surface};
 use trimline::syntax;
 
 /// The name of the patch of every spec here.
@@ -111,6 +111,11 @@ pub fn at(surface: &dyn Surface, derivative: &str, point: [f64; 3]) -> [f64; 3] 
     let mut values = [[0.0; 3]];
     surface.evaluate(derivative, &[point], &mut values).unwrap_or_else(|finding| panic!("{finding}"));
     values[0]
+}
+
+/// The surface of a solution by a method that makes a sum of products.
+pub fn separable(solution: &Solution) -> &SeparableSurface {
+    solution.surface.as_separable().expect("a sum of products")
 }
 
 /// Every example of the project: name and text, by name.

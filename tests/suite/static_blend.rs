@@ -115,12 +115,13 @@ fn powers(solution: &Solution, [m, n]: [usize; 2], [low, high]: [f64; 2], compon
     };
     let in_u = chebyshev(m + 1, [-1.0, 2.0]);
     let in_v = chebyshev(n + 1, [-(low + high) / (high - low), 2.0 / (high - low)]);
-    let count = solution.surface.basis.len();
+    let surface = crate::spec::separable(solution);
+    let count = surface.basis.len();
     let data = count - (n + 1);
     let mut sums = vec![0.0; (m + 1) * (n + 1)];
     for (i, of_u) in in_u.iter().enumerate().take(m + 1) {
         for (j, of_v) in in_v.iter().enumerate().take(n + 1) {
-            let weight = solution.surface.coefficients[0][(4 + i) * count + data + j][component];
+            let weight = surface.coefficients[0][(4 + i) * count + data + j][component];
             for (a, u) in of_u.iter().enumerate() {
                 for (b, v) in of_v.iter().enumerate() {
                     sums[a * (n + 1) + b] += weight * u * v;

@@ -44,8 +44,9 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
     let patched = spec.prepare(patch, &arguments.solving, arguments.collocation.points.as_deref())?;
     let solved = spec.solve(&patched, patched.instant(arguments.solving.time)?)?;
     print_warnings(&solved.solution.report.warnings, &spec.source, terminal);
-    let formula = Formula::new(&patch.name, &spec.problem, &solved.solution.surface, patched.prepared.domain);
-    let text = formula.and_then(|formula| emit(&formula, language)).map_err(|finding| spec.fault(finding))?;
+    let formula = |surface| Formula::new(&patch.name, &spec.problem, surface, patched.prepared.domain);
+    let text = solved.solution.separable().and_then(formula).and_then(|formula| emit(&formula, language));
+    let text = text.map_err(|finding| spec.fault(finding.at(patched.prepared.patch().boundary_origin())))?;
     match &arguments.output {
         None => output::print(&text),
         Some(path) => {

@@ -9,7 +9,6 @@ use trimline::diagnostic::{Code, Diagnostic};
 use trimline::expr::Derivative;
 use trimline::method::Size;
 use trimline::problem::COMPONENTS;
-use trimline::surface::Surface;
 
 use crate::Outcome;
 use crate::failure::{Failure, print_warnings};

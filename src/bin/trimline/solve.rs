@@ -4,6 +4,8 @@ use std::fmt::Write;
 
 use clap::Args;
 use serde::Serialize;
+use trimline::method::Report;
+use trimline::surface::SeparableSurface;
 
 use crate::Outcome;
 use crate::failure::{print_warnings, say};
@@ -106,27 +108,8 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
 
 fn patch_solution(patched: &Patched, solved: &Solved, parse_seconds: f64) -> PatchSolution {
     let (report, measured) = (&solved.solution.report, &solved.measured);
-    let surface = &solved.solution.surface;
-    let count = surface.basis.len();
     let conditions = patched.prepared.patch().conditions.len();
-    let all = surface.coefficients.first().map_or(&[][..], Vec::as_slice);
-    let mut coefficients = Vec::new();
-    for (j, name) in surface.basis.names().iter().enumerate() {
-        let of_function: Vec<[f64; 3]> = all.iter().skip(j).step_by(count.max(1)).copied().collect();
-        let (boundary, terms) = match report.truncation {
-            None => of_function.split_at_checked(conditions).unwrap_or_default(),
-            // Each wave number has functions of u of its own, as many as there are conditions.
-            Some(_) => {
-                let mut each = of_function.chunks(conditions.max(1));
-                (each.find(|own| own.iter().any(|vector| *vector != [0.0; 3])).unwrap_or_default(), &[][..])
-            }
-        };
-        coefficients.push(FunctionCoefficients {
-            basis: name.clone(),
-            boundary: boundary.to_vec(),
-            terms: terms.to_vec(),
-        });
-    }
+    let surface = solved.solution.surface.as_separable();
     let warnings = report.warnings.iter();
     PatchSolution {
         name: patched.prepared.patch().name.clone(),
@@ -144,7 +127,7 @@ fn patch_solution(patched: &Patched, solved: &Solved, parse_seconds: f64) -> Pat
         rank: report.rank,
         unknowns: report.unknowns,
         warnings: warnings.map(|w| Warning { code: w.code.as_str(), message: w.message.clone() }).collect(),
-        coefficients,
+        coefficients: surface.map(|surface| function_coefficients(surface, conditions, report)).unwrap_or_default(),
         seconds: Seconds {
             parse: parse_seconds,
             decompose: patched.decompose_seconds,
@@ -152,6 +135,25 @@ fn patch_solution(patched: &Patched, solved: &Solved, parse_seconds: f64) -> Pat
             solve: solved.solve_seconds,
         },
     }
+}
+
+/// What stands in front of every basis function of a surface with `conditions` boundary conditions.
+fn function_coefficients(surface: &SeparableSurface, conditions: usize, report: &Report) -> Vec<FunctionCoefficients> {
+    let count = surface.basis.len();
+    let all = surface.coefficients.first().map_or(&[][..], Vec::as_slice);
+    let of_function = |(j, name): (usize, &String)| {
+        let vectors: Vec<[f64; 3]> = all.iter().skip(j).step_by(count.max(1)).copied().collect();
+        let (boundary, terms) = match report.truncation {
+            None => vectors.split_at_checked(conditions).unwrap_or_default(),
+            // Each wave number has functions of u of its own, as many as there are conditions.
+            Some(_) => {
+                let mut each = vectors.chunks(conditions.max(1));
+                (each.find(|own| own.iter().any(|vector| *vector != [0.0; 3])).unwrap_or_default(), &[][..])
+            }
+        };
+        FunctionCoefficients { basis: name.clone(), boundary: boundary.to_vec(), terms: terms.to_vec() }
+    };
+    surface.basis.names().iter().enumerate().map(of_function).collect()
 }
 
 /// Writing to a string does not fail.

@@ -206,9 +206,10 @@ impl Assembly {
         let settings = Settings::default();
         let solver = Exact.prepare(&truncated, &Options { settings, limits, ..options.clone() })?;
         let solution = solver.solve(params, ranges, t)?;
-        let count = solution.surface.basis.len();
-        let first = self.add_part(Arc::clone(&solution.surface.modes));
-        let all = solution.surface.coefficients.first().map_or(&[][..], Vec::as_slice);
+        let surface = solution.separable()?;
+        let count = surface.basis.len();
+        let first = self.add_part(Arc::clone(&surface.modes));
+        let all = surface.coefficients.first().map_or(&[][..], Vec::as_slice);
         for (mode, row) in all.chunks(count.max(1)).enumerate() {
             self.entries.extend(row.iter().enumerate().map(|(j, vector)| (first + mode, j, *vector)));
         }

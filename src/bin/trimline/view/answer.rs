@@ -161,7 +161,8 @@ fn parameters(spec: &Spec) -> Result<Vec<Parameter>, Diagnostic> {
 }
 
 fn patch(spec: &Spec, patched: &Patched, solved: &Solved) -> Result<Patch, Diagnostic> {
-    let (prepared, surface) = (&patched.prepared, &solved.solution.surface);
+    let prepared = &patched.prepared;
+    let surface = solved.solution.separable().map_err(|finding| finding.at(prepared.patch().boundary_origin()))?;
     let (stated, domain, graph) = (prepared.patch(), prepared.domain, &spec.problem.graph);
     let slopes = [Derivative::NONE, Derivative::new(0, 1, 0), Derivative::new(0, 2, 0)];
     // A basis with a kink has no second derivative, so no curvature; without the first there is no normal either.

@@ -5,7 +5,6 @@
 //! is true to what a screen shows; the error is measured at other instants and sent along. Otherwise the page asks for
 //! every instant.
 
-use std::sync::Arc;
 use std::time::Duration;
 
 use serde::Serialize;
@@ -13,9 +12,10 @@ use serde::Serialize;
 use trimline::diagnostic::Diagnostic;
 use trimline::emit::amplitude_series;
 use trimline::expr::Derivative;
+use trimline::method::Solution;
 use trimline::numeric::{ChebyshevSeries, NodeKind, nodes};
 use trimline::problem::DomainValues;
-use trimline::surface::{SeparableSurface, Surface};
+use trimline::surface::Surface;
 
 use super::live::Live;
 use super::server::Question;
@@ -53,7 +53,7 @@ struct Interpolation {
 
 /// A patch solved at one instant.
 struct Sample {
-    surface: Arc<SeparableSurface>,
+    solution: Solution,
     domain: DomainValues,
     time: f64,
 }
@@ -64,7 +64,7 @@ pub fn of(live: &Live, question: &Question) -> Result<Motion, Failure> {
     let Some(now) = samples(live, question, question.time)? else { return Ok(Motion { patches: Vec::new() }) };
     let mut patches = Vec::with_capacity(now.len());
     for (index, sample) in now.iter().enumerate() {
-        if sample.surface.instant.is_none() {
+        if sample.solution.surface.as_separable().is_none_or(|surface| surface.instant.is_none()) {
             patches.push(None);
             continue;
         }
@@ -84,7 +84,7 @@ fn samples(live: &Live, question: &Question, time: Option<f64>) -> Result<Option
     live.answer(&question.changes, time, |answerable, _| {
         let Some(answerable) = answerable else { return Ok(None) };
         let samples = answerable?.patches.into_iter().map(|(patched, solved)| Sample {
-            surface: solved.solution.surface,
+            solution: solved.solution,
             domain: patched.prepared.domain,
             time: solved.time,
         });
@@ -104,7 +104,9 @@ fn interpolation(
     let Some(judges) = solved(NodeKind::Ends, MEASURED)? else { return Ok(None) };
     for count in INSTANTS {
         let Some(samples) = solved(NodeKind::Chebyshev, count)? else { return Ok(None) };
-        let series = samples.iter().map(|sample| amplitude_series(&sample.surface, domain).map_err(fault));
+        let series = samples.iter().map(|sample| {
+            sample.solution.separable().and_then(|surface| amplitude_series(surface, domain)).map_err(fault)
+        });
         let series: Vec<ChebyshevSeries> = series.collect::<Result<_, _>>()?;
         let instants: Vec<f64> = samples.iter().map(|sample| sample.time).collect();
         let mut error = 0.0_f64;
@@ -136,7 +138,8 @@ fn in_single_precision(instants: Vec<f64>, series: &[ChebyshevSeries], error: f6
 
 /// The largest distance between the interpolated surface and a solved one, relative to the largest coordinate.
 fn distance(instants: &[f64], series: &[ChebyshevSeries], judge: &Sample) -> Result<f64, Diagnostic> {
-    let Sample { surface, domain, time } = judge;
+    let Sample { solution, domain, time } = judge;
+    let surface = solution.separable()?;
     let weights = barycentric(instants, *time);
     let (u, v) = (nodes(NodeKind::Midpoints, GRID[0], domain.u), nodes(NodeKind::Ends, GRID[1], domain.v));
     let basis = surface.basis.values(Derivative::NONE, &surface.params, &v, &vec![*time; v.len()])?;

@@ -1,0 +1,362 @@
+//! From numbers to a surface: what corners ask, the weak equations of one instant, and what is to be said about them.
+
+use std::sync::Arc;
+
+use nalgebra::DMatrix;
+
+use super::system::System;
+use super::weak_form::{Part, Table, add_matrix, add_vector};
+use super::{FourSided, MORE_NODES, ORDER, ORDERS};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
+use crate::eval::{Evaluator, Samples};
+use crate::expr::Derivative;
+use crate::method::{Method, Report, Solution, Solver};
+use crate::numeric::gauss_rule;
+use crate::surface::{Basis, Coefficients, CoonsSurface, Sides, Surface};
+use crate::trial::{CorrectedTrial, IntegratedLegendre, Modes};
+
+/// A compiled problem.
+pub struct FourSidedSolver {
+    /// Corrections in u and in v.
+    pub terms: [usize; 2],
+    pub parts: Vec<Part>,
+    /// The highest derivative in t that the equation names.
+    pub orders_in_t: usize,
+    /// Whether data, coefficients or force depend on t.
+    pub varies_in_time: bool,
+    /// Whether the three components have different coefficients.
+    pub is_vector: bool,
+    /// Coefficients by part and component, then the force by order in t and component.
+    pub values: Arc<dyn Evaluator>,
+    /// Where the conditions stand: four in u, four in v.
+    pub positions: Arc<dyn Evaluator>,
+    /// The data at fixed u.
+    pub at_u: Arc<Basis>,
+    /// The data at fixed v.
+    pub at_v: Arc<Basis>,
+    /// Where the data are written.
+    pub boundary: Option<Span>,
+    /// Where the equation is written.
+    pub equation: Option<Span>,
+    pub note: Option<Diagnostic>,
+}
+
+/// Where the last terms move the surface by more than this share of its size, the series has not settled.
+const SETTLED: f64 = 1e-3;
+/// Amplifications below this are not mentioned; to the next a note, then a warning; above the last, there is no solution.
+const SILENT: f64 = 10.0;
+const NOTABLE: f64 = 1e3;
+const RESONANT: f64 = 1e10;
+/// Directions in which the symbol of the equation is looked at.
+const DIRECTIONS: usize = 64;
+
+/// The quadrature: a rule in u and one in v, and the coefficients of the weak form at its nodes, u-major.
+struct Quadrature {
+    nodes: [Vec<f64>; 2],
+    tables: [Table; 2],
+    /// By part and component.
+    coefficients: Vec<[Vec<f64>; 3]>,
+    /// By order in t and component.
+    force: Vec<[Vec<f64>; 3]>,
+}
+
+impl Solver for FourSidedSolver {
+    fn solve(&self, params: &[f64], ranges: [[f64; 2]; 2], t: f64) -> Result<Solution, Diagnostic> {
+        self.check_positions(params, ranges)?;
+        let sides = Arc::new(Sides { ranges, at_u: Arc::clone(&self.at_u), at_v: Arc::clone(&self.at_v) });
+        let modes = self.modes(ranges)?;
+        let mut report = self.empty_report();
+        let quadrature = self.quadrature(&modes, params, ranges, t)?;
+        let size = self.data_size(&quadrature, params, ranges, t)?;
+        let is_twisted = self.check_corners(&sides, params, size, t, &mut report)?;
+        let mut surface = CoonsSurface {
+            sides,
+            modes: modes.map(|modes| -> Arc<dyn Modes> { modes }),
+            params: params.to_vec(),
+            is_twisted,
+            corrections: Vec::new(),
+            instant: None,
+        };
+        report.warnings.extend(self.apexes(params, ranges, size, t)?);
+        report.warnings.extend(self.ellipticity(&quadrature));
+        let [in_u, in_v] = self.terms;
+        let levels = quadrature.force.len();
+        let mut corrections: Vec<Coefficients> = vec![vec![[0.0; 3]; in_u * in_v]; levels];
+        let rights = self.rights(&quadrature, &surface, t)?;
+        for system in 0..if self.is_vector { 3 } else { 1 } {
+            let factorised = self.factorise(&quadrature, system, &mut report)?;
+            let components = if self.is_vector { system..system + 1 } else { 0..3 };
+            for component in components {
+                for (level, right) in corrections.iter_mut().zip(&rights) {
+                    let Some(right) = right.get(component) else { continue };
+                    for (slot, value) in level.iter_mut().zip(factorised.solve(right).iter()) {
+                        if let Some(slot) = slot.get_mut(component) {
+                            *slot = *value;
+                        }
+                    }
+                }
+            }
+        }
+        if corrections.iter().flatten().flatten().any(|value| !value.is_finite()) {
+            let message = "the corrections of the four-sided patch are not finite";
+            return Err(Diagnostic::new(Code::SolutionNotFinite, message).at(self.equation));
+        }
+        report.warnings.extend(self.settling(&quadrature, corrections.first(), size));
+        surface.corrections = corrections;
+        surface.instant = self.varies_in_time.then_some(t);
+        Ok(Solution { surface: Arc::new(surface), report })
+    }
+}
+
+impl FourSidedSolver {
+    fn check_positions(&self, params: &[f64], [range_u, range_v]: [[f64; 2]; 2]) -> Result<(), Diagnostic> {
+        let positions = evaluate(&*self.positions, params, (&[0.0], &[0.0]), 0.0)?;
+        let expected = [range_u, range_v].into_iter().flat_map(|[low, high]| [low, low, high, high]);
+        let size = range_u.iter().chain(&range_v).fold(0.0_f64, |most, end| most.max(end.abs()));
+        let rounding = 4.0 * f64::EPSILON * size;
+        if positions.iter().zip(expected).all(|(position, end)| (position - end).abs() <= rounding) {
+            return Ok(());
+        }
+        let message = "with these params the constraints do not stand at the ends of u and v";
+        Err(Diagnostic::new(Code::UnsupportedByMethod, message).at(self.boundary))
+    }
+
+    /// The four cubic Hermite functions and the corrections of each coordinate.
+    fn modes(&self, ranges: [[f64; 2]; 2]) -> Result<[Arc<CorrectedTrial>; 2], Diagnostic> {
+        let of = |count: usize, range: [f64; 2]| {
+            let [low, high] = range;
+            let functionals: Vec<(f64, usize)> = [low, low, high, high].into_iter().zip(ORDERS).collect();
+            let family = Arc::new(IntegratedLegendre::new(ORDER, count));
+            CorrectedTrial::new(family, count, range, &functionals).map(Arc::new).ok_or_else(|| {
+                let message = format!("position and tangent at {low} and {high} do not determine a cubic");
+                Diagnostic::new(Code::DependentConstraints, message).at(self.boundary)
+            })
+        };
+        let ([in_u, in_v], [range_u, range_v]) = (self.terms, ranges);
+        Ok([of(in_u, range_u)?, of(in_v, range_v)?])
+    }
+
+    fn quadrature(
+        &self,
+        modes: &[Arc<CorrectedTrial>; 2],
+        params: &[f64],
+        ranges: [[f64; 2]; 2],
+        t: f64,
+    ) -> Result<Quadrature, Diagnostic> {
+        let [(u, table_u), (v, table_v)] = [0, 1].map(|axis| {
+            let (Some(modes), Some(count), Some(range)) = (modes.get(axis), self.terms.get(axis), ranges.get(axis))
+            else {
+                return (Vec::new(), Table { values: Vec::new(), weights: Vec::new() });
+            };
+            let (nodes, weights) = gauss_rule(2 * count + MORE_NODES, *range);
+            let values = (0..=2).map(|order| {
+                let rows: Vec<f64> =
+                    nodes.iter().flat_map(|at| modes.derivatives(order, *at).split_off(ORDERS.len())).collect();
+                DMatrix::from_row_slice(nodes.len(), *count, &rows)
+            });
+            let values = values.collect();
+            (nodes, Table { values, weights })
+        });
+        let all_u: Vec<f64> = u.iter().flat_map(|&u| v.iter().map(move |_| u)).collect();
+        let all_v: Vec<f64> = u.iter().flat_map(|_| v.iter().copied()).collect();
+        let values = evaluate(&*self.values, params, (&all_u, &all_v), t)?;
+        if values.iter().any(|value| !value.is_finite()) {
+            let message = "a coefficient or the force of the equation is not finite inside the patch";
+            return Err(Diagnostic::new(Code::DataNotFinite, message).at(self.equation));
+        }
+        let mut vectors = values.chunks(3 * all_u.len()).map(|vector| {
+            let mut components = vector.chunks(all_u.len()).map(<[f64]>::to_vec);
+            [(); 3].map(|()| components.next().unwrap_or_default())
+        });
+        let levels = if self.varies_in_time { self.orders_in_t + 1 } else { 1 };
+        let coefficients = vectors.by_ref().take(self.parts.len()).collect();
+        let force = vectors.take(levels).collect();
+        Ok(Quadrature { nodes: [u, v], tables: [table_u, table_v], coefficients, force })
+    }
+
+    /// The largest position or tangent on the sides, tangents times the range they belong to.
+    fn data_size(
+        &self,
+        quadrature: &Quadrature,
+        params: &[f64],
+        ranges: [[f64; 2]; 2],
+        t: f64,
+    ) -> Result<f64, Diagnostic> {
+        let [u, v] = &quadrature.nodes;
+        let mut size = 0.0_f64;
+        for (basis, along, [low, high]) in [(&self.at_u, v, ranges[0]), (&self.at_v, u, ranges[1])] {
+            let values = basis.values(Derivative::NONE, params, along, &vec![t; along.len()])?;
+            for (condition, rows) in values.chunks(3 * along.len()).enumerate() {
+                let factor = if condition % 2 == 0 { 1.0 } else { high - low };
+                size = rows.iter().fold(size, |most, value| most.max(factor * value.abs()));
+            }
+        }
+        Ok(size)
+    }
+
+    /// A warning where the leading part of the equation changes its sign with the direction.
+    fn ellipticity(&self, quadrature: &Quadrature) -> Option<Diagnostic> {
+        let [points_u, points_v] = quadrature.nodes.each_ref().map(Vec::len);
+        let leading: Vec<(i32, i32, &[Vec<f64>; 3])> = self
+            .parts
+            .iter()
+            .zip(&quadrature.coefficients)
+            .filter_map(|(part, coefficient)| {
+                let orders = [part.of_surface.u + part.of_test[0], part.of_surface.v + part.of_test[1]];
+                let exponents = orders.map(|order| i32::try_from(order).unwrap_or(i32::MAX));
+                (part.order() == ORDER).then_some((exponents[0], exponents[1], coefficient))
+            })
+            .collect();
+        for component in 0..3 {
+            for point in 0..points_u * points_v {
+                let symbol = |direction: usize| -> f64 {
+                    let angle = std::f64::consts::PI * direction as f64 / DIRECTIONS as f64;
+                    let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+                    let value = |(p, q, all): &(i32, i32, &[Vec<f64>; 3])| {
+                        let coefficient = all.get(component).and_then(|values| values.get(point));
+                        coefficient.copied().unwrap_or(f64::NAN) * cos.powi(*p) * sin.powi(*q)
+                    };
+                    leading.iter().map(value).sum()
+                };
+                let start = symbol(0);
+                let is_elliptic = (0..DIRECTIONS).all(|direction| symbol(direction) * start > 0.0);
+                if !is_elliptic {
+                    let name = crate::problem::COMPONENTS.get(component).unwrap_or(&"?");
+                    let message = format!(
+                        "the equation for S_{name} is not elliptic everywhere, so data on all four sides need not fit it"
+                    );
+                    return Some(
+                        Diagnostic::new(Code::NotElliptic, message)
+                            .at(self.equation)
+                            .hint("β and λ of one sign, and γ above -2 sqrt(βλ), make the standard equation elliptic"),
+                    );
+                }
+            }
+        }
+        None
+    }
+
+    /// The right-hand sides by derivative in t and component.
+    fn rights(
+        &self,
+        quadrature: &Quadrature,
+        coons: &CoonsSurface,
+        t: f64,
+    ) -> Result<Vec<[DMatrix<f64>; 3]>, Diagnostic> {
+        let [u, v] = &quadrature.nodes;
+        let [table_u, table_v] = &quadrature.tables;
+        let tables = [table_u, table_v];
+        let unknowns = self.terms.iter().product();
+        let mut all = Vec::with_capacity(quadrature.force.len());
+        for (order, force) in quadrature.force.iter().enumerate() {
+            let mut rights = [(); 3].map(|()| DMatrix::zeros(unknowns, 1));
+            for (right, force) in rights.iter_mut().zip(force) {
+                add_vector(right, [0, 0], tables, force);
+            }
+            let mut values = vec![[0.0; 3]; u.len() * v.len()];
+            for (part, coefficients) in self.parts.iter().zip(&quadrature.coefficients) {
+                let derivative = Derivative { t: part.of_surface.t + order, ..part.of_surface };
+                coons.evaluate_grid(derivative, (u, v, t), &mut values)?;
+                for (component, (right, factors)) in rights.iter_mut().zip(coefficients).enumerate() {
+                    let at = |value: &[f64; 3]| value.get(component).copied().unwrap_or(f64::NAN);
+                    let products: Vec<f64> =
+                        factors.iter().zip(&values).map(|(factor, value)| -factor * at(value)).collect();
+                    add_vector(right, part.of_test, tables, &products);
+                }
+            }
+            all.push(rights);
+        }
+        Ok(all)
+    }
+
+    /// The factorised equations of one component.
+    fn factorise(&self, quadrature: &Quadrature, component: usize, report: &mut Report) -> Result<System, Diagnostic> {
+        let unknowns: usize = self.terms.iter().product();
+        let [table_u, table_v] = &quadrature.tables;
+        let mut matrix = DMatrix::zeros(unknowns, unknowns);
+        let mut lower = DMatrix::zeros(unknowns, unknowns);
+        // Derivatives in t act on the data alone: the corrections of an instant are taken as constant in time.
+        let parts = self.parts.iter().zip(&quadrature.coefficients).filter(|(part, _)| part.of_surface.t == 0);
+        for (part, coefficients) in parts {
+            let total = if part.order() == ORDER { &mut matrix } else { &mut lower };
+            if let Some(coefficient) = coefficients.get(component) {
+                add_matrix(total, part, [table_u, table_v], coefficient);
+            }
+        }
+        let system = System::new(matrix, &lower).filter(|system| system.amplification <= RESONANT);
+        let Some(system) = system else {
+            let message = "the equation is resonant on these four sides: it has no reliable solution";
+            return Err(Diagnostic::new(Code::Resonant, message)
+                .at(self.equation)
+                .hint("change a coefficient of the equation, or the ranges of u and v"));
+        };
+        let factor = system.amplification;
+        if factor >= SILENT {
+            let code = if factor < NOTABLE { Code::Amplified } else { Code::NearlyResonant };
+            let error = factor * f64::EPSILON;
+            let message = format!("the equation amplifies {factor:.1e} times; expect a relative error of {error:.1e}");
+            report.warnings.push(Diagnostic::new(code, message).at(self.equation));
+        }
+        report.condition = report.condition.map(|most| most.max(system.condition()));
+        report.amplification = report.amplification.map(|most| most.max(factor));
+        report.rank += unknowns;
+        report.unknowns += unknowns;
+        Ok(system)
+    }
+
+    /// A warning where the last two terms in u or in v still move the surface.
+    fn settling(&self, quadrature: &Quadrature, corrections: Option<&Coefficients>, size: f64) -> Option<Diagnostic> {
+        let [in_u, in_v] = self.terms;
+        let [table_u, table_v] = &quadrature.tables;
+        let (values_u, values_v) = (table_u.values.first()?, table_v.values.first()?);
+        let mut moved = 0.0_f64;
+        for component in 0..3 {
+            let last = DMatrix::from_fn(in_u, in_v, |m, n| {
+                let vector = corrections.and_then(|all| all.get(m * in_v + n));
+                let value = vector.and_then(|vector| vector.get(component)).copied().unwrap_or(f64::NAN);
+                if m + 2 >= in_u || n + 2 >= in_v { value } else { 0.0 }
+            });
+            moved = moved.max((values_u * last * values_v.transpose()).amax());
+        }
+        if moved <= SETTLED * size {
+            return None;
+        }
+        let message = format!("the last terms of {in_u} x {in_v} still move the surface by {moved:.1e}");
+        Some(
+            Diagnostic::new(Code::TermsTooFew, message)
+                .at(self.equation)
+                .hint("take more terms, or divide the patch; the boundary is met in any case"),
+        )
+    }
+
+    fn empty_report(&self) -> Report {
+        Report {
+            truncation: None,
+            method: FourSided.name(),
+            is_exact: false,
+            basis_size: 0,
+            closure_size: None,
+            modes: self.terms[0],
+            condition: Some(1.0),
+            amplification: Some(1.0),
+            rank: 0,
+            unknowns: 0,
+            warnings: self.note.iter().cloned().collect::<Diagnostics>(),
+        }
+    }
+}
+
+/// The values of a program at points, output after output.
+fn evaluate(
+    evaluator: &dyn Evaluator,
+    params: &[f64],
+    (u, v): (&[f64], &[f64]),
+    t: f64,
+) -> Result<Vec<f64>, Diagnostic> {
+    let mut values = vec![0.0; evaluator.program().outputs() * u.len()];
+    let samples = Samples { u, v, t: &vec![t; u.len()] };
+    evaluator
+        .evaluate(params, samples, &mut values)
+        .map_err(|error| Diagnostic::new(Code::SolutionNotFinite, error.to_string()))?;
+    Ok(values)
+}

@@ -1,0 +1,104 @@
+//! Functions of u, v and t as compiled programs, with all their derivatives.
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+use rustc_hash::FxHashMap;
+
+use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::eval::{Backend, Evaluator, Program, Samples, compile};
+use crate::expr::{Derivative, ExprId, Graph};
+use crate::limits::Limits;
+
+/// Functions that are evaluated together.
+///
+/// A derivative is made and compiled when it is first asked for, and kept.
+pub struct Functions {
+    functions: Vec<(ExprId, Option<Span>)>,
+    compiled: Mutex<Compiled>,
+    backend: Backend,
+    graph_nodes: usize,
+}
+
+/// What grows when a new derivative is asked for.
+struct Compiled {
+    graph: Graph,
+    evaluators: FxHashMap<Derivative, Arc<dyn Evaluator>>,
+}
+
+impl Functions {
+    /// The `functions` of `graph`, each with the place it comes from.
+    #[must_use]
+    pub fn new(graph: Graph, functions: Vec<(ExprId, Option<Span>)>, backend: Backend, limits: &Limits) -> Functions {
+        let compiled = Mutex::new(Compiled { graph, evaluators: FxHashMap::default() });
+        Functions { functions, compiled, backend, graph_nodes: limits.graph_nodes }
+    }
+
+    /// The number of functions.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.functions.len()
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.functions.is_empty()
+    }
+
+    /// Where function number `index` is written.
+    #[must_use]
+    pub fn origin(&self, index: usize) -> Option<Span> {
+        self.functions.get(index).and_then(|(_, origin)| *origin)
+    }
+
+    /// A derivative of every function at every sample, row after row: function j at sample i is
+    /// `values[j * samples + i]`. Values need not be finite.
+    ///
+    /// # Errors
+    /// [`Code::NotDifferentiable`] for a derivative that does not exist, [`Code::LimitReached`] for one that grows too
+    /// large.
+    pub fn values(&self, derivative: Derivative, params: &[f64], samples: Samples<'_>) -> Result<Vec<f64>, Diagnostic> {
+        let evaluator = self.evaluator(derivative)?;
+        let mut values = vec![0.0; self.len() * samples.u.len()];
+        evaluator
+            .evaluate(params, samples, &mut values)
+            .map_err(|error| Diagnostic::new(Code::SolutionNotFinite, error.to_string()))?;
+        Ok(values)
+    }
+
+    /// One program for some derivatives of every function: all functions of the first derivative, then of the next.
+    ///
+    /// # Errors
+    /// [`Code::NotDifferentiable`] for a derivative that does not exist, [`Code::LimitReached`] for one that grows too
+    /// large.
+    pub fn program(&self, derivatives: &[Derivative]) -> Result<Program, Diagnostic> {
+        let mut guard = self.compiled.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut outputs = Vec::with_capacity(derivatives.len() * self.functions.len());
+        for derivative in derivatives {
+            outputs.extend(self.derived(&mut guard.graph, *derivative)?);
+        }
+        Ok(Program::compile(&guard.graph, &outputs))
+    }
+
+    /// A derivative of every function.
+    fn derived(&self, graph: &mut Graph, derivative: Derivative) -> Result<Vec<ExprId>, Diagnostic> {
+        let derived = |(expr, origin): &(ExprId, Option<Span>)| {
+            let result = graph.derivative_within(*expr, derivative, self.graph_nodes);
+            result.map_err(|fault| fault.to_diagnostic(derivative, self.graph_nodes).at(*origin))
+        };
+        self.functions.iter().map(derived).collect()
+    }
+
+    fn evaluator(&self, derivative: Derivative) -> Result<Arc<dyn Evaluator>, Diagnostic> {
+        // A panic elsewhere cannot leave the graph inconsistent: it only ever grows.
+        let mut guard = self.compiled.lock().unwrap_or_else(PoisonError::into_inner);
+        let Compiled { graph, evaluators } = &mut *guard;
+        if let Some(evaluator) = evaluators.get(&derivative) {
+            return Ok(Arc::clone(evaluator));
+        }
+        let outputs = self.derived(graph, derivative)?;
+        let (evaluator, _) = compile(Program::compile(graph, &outputs), self.backend);
+        evaluators.insert(derivative, Arc::clone(&evaluator));
+        Ok(evaluator)
+    }
+}
