@@ -34,6 +34,8 @@ pub struct Prepared {
     /// Ranges of u, v and t for the current parameters.
     pub domain: DomainValues,
     solver: Box<dyn Solver>,
+    /// As they were given, for another solver.
+    options: Options,
     /// What is added to every solution.
     bumps: Vec<Arc<Bump>>,
     /// The method, and what its choice leaves to say about every solution.
@@ -113,13 +115,10 @@ impl Blend {
         let bindings = Bindings::evaluate(&problem).map_err(|finding| vec![finding])?;
         let mut updates = Vec::with_capacity(self.patches.len());
         for prepared in &self.patches {
-            updates.push(prepared.update(&problem, &bindings, &self.options).map_err(|finding| vec![finding])?);
+            updates.push(prepared.update(&problem, &bindings).map_err(|finding| vec![finding])?);
         }
         for (prepared, update) in self.patches.iter_mut().zip(updates) {
-            match update {
-                Update::Numbers(domain) => prepared.domain = domain,
-                Update::Anew(anew) => *prepared = *anew,
-            }
+            prepared.apply(update);
         }
         (self.problem, self.bindings) = (problem, bindings);
         Ok(())
@@ -181,11 +180,30 @@ impl Prepared {
         let compiled =
             |deformation| Bump::compile(problem, deformation, options.backend, &options.limits).map(Arc::new);
         let bumps = decomposition.patch.deformations.iter().map(compiled).collect::<Result<_, _>>()?;
-        Ok(Prepared { decomposition, domain, solver, bumps, choice })
+        Ok(Prepared { decomposition, domain, solver, options: options.clone(), bumps, choice })
+    }
+
+    /// Takes new values of the parameters, `bindings` of `problem`: new ranges, and where a term of the equation
+    /// vanishes or returns, or `auto` chooses another method, a new solver.
+    ///
+    /// # Errors
+    /// As [`Prepared::new`]; this is then as it was.
+    pub fn refresh(&mut self, problem: &Problem, bindings: &Bindings) -> Result<(), Diagnostic> {
+        let update = self.update(problem, bindings)?;
+        self.apply(update);
+        Ok(())
+    }
+
+    fn apply(&mut self, update: Update) {
+        match update {
+            Update::Numbers(domain) => self.domain = domain,
+            Update::Anew(anew) => *self = *anew,
+        }
     }
 
     /// What new values of the parameters change.
-    fn update(&self, problem: &Problem, bindings: &Bindings, options: &Options) -> Result<Update, Diagnostic> {
+    fn update(&self, problem: &Problem, bindings: &Bindings) -> Result<Update, Diagnostic> {
+        let options = &self.options;
         let domain = self.patch().domain.evaluate(problem, bindings)?;
         let is_same_equation = self.decomposition.is_specialised_to(bindings.as_slice());
         // The first choice of `auto` does not depend on numbers otherwise.

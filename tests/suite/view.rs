@@ -212,6 +212,23 @@ fn export_is_the_mesh_of_the_command_line() {
 }
 
 #[test]
+fn terms_of_the_equation_that_vanish_return_with_their_slider() {
+    let text = "param c = 0, g = 1\npde d4S/du4 + c d4S/du2dv2 + g d4S/dv4 = 0\n\
+                at u = 0: S = [exp(cos(v)), sin v, 0], dS/du = [0, 0, 1]\nat u = 1: S = [cos v, sin v, 1], dS/du = [0, 0, 1]";
+    let view = View::of(text, &[]);
+    let ask = |c: &str| view.get(&format!("/export?format=obj&grid=6x12&set=c={c}")).body;
+    let spec = view.spec().to_string_lossy().into_owned();
+    for c in ["0", "20", "0"] {
+        let target = view.folder.path().join("direct.obj");
+        let set = format!("c={c}");
+        let arguments = ["mesh", &spec, "-o", &target.to_string_lossy(), "--grid", "6x12", "--set", &set, "--quiet"];
+        let status = Command::new(env!("CARGO_BIN_EXE_trimline")).args(arguments).status().expect("run");
+        assert!(status.success(), "c = {c}");
+        assert_eq!(ask(c), std::fs::read_to_string(&target).expect("written"), "c = {c}");
+    }
+}
+
+#[test]
 fn residual_of_an_exact_solution_is_rounding() {
     let view = View::of(VASE, &["--method", "exact"]);
     let field = &view.get("/residual").json()["patches"][0];

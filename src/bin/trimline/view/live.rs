@@ -107,8 +107,7 @@ impl Compiled {
 
     fn solve(&mut self, spec: &Spec, time: Option<f64>) -> Result<Vec<(&Patched, Solved)>, Failure> {
         for patched in &mut self.patches {
-            let domain = patched.prepared.patch().domain.evaluate(&spec.problem, &spec.bindings);
-            patched.prepared.domain = domain.map_err(|finding| spec.fault(finding))?;
+            patched.prepared.refresh(&spec.problem, &spec.bindings).map_err(|finding| spec.fault(finding))?;
         }
         let mut solved = Vec::with_capacity(self.patches.len());
         for patched in &self.patches {
