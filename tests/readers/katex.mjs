@@ -6,7 +6,7 @@ import katex from "katex";
 const [trimline, ...specs] = process.argv.slice(2);
 let blocks = 0;
 for (const spec of specs) {
-  const run = (...options) => execFileSync(trimline, [...options, spec], { encoding: "utf8", maxBuffer: 1 << 26 });
+  const run = (...options) => execFileSync(trimline, [...options, "--quiet", spec], { encoding: "utf8", maxBuffer: 1 << 26 });
   const report = JSON.parse(run("check", "--explain", "--format", "json"));
   const texts = [run("basis", "--format", "latex"), ...report.patches.flatMap((patch) => Object.values(patch.explanation.latex))];
   for (const text of texts.filter((text) => text !== "")) {
