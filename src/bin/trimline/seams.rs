@@ -61,8 +61,7 @@ pub fn measure(
                 return Err(Failure::Machine("an edge of a patch that was not solved".to_owned()));
             };
             let domain = &patched.prepared.domain;
-            Edge::sample(&**surface, (u, domain.u), domain.v, time)
-                .map_err(|finding| spec.fault(finding))
+            Edge::sample(&**surface, (u, domain.u), domain.v, time).map_err(|finding| spec.fault(finding))
         };
         // Each edge once, however many pairs it is in.
         let mut edges: Vec<(Place, Edge)> = Vec::new();
