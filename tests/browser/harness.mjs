@@ -23,6 +23,8 @@ export function evaluate(spec, points, options = []) {
   return String(table).trim().split("\n").slice(1).map((line) => line.split(",").slice(3).map(Number));
 }
 
+export const patchesOf = (spec) => JSON.parse(trimline(["basis", spec, "--format", "json", "--quiet"])).patches.map(({ name }) => name);
+
 // Starts the view of a spec on a free port; ends with `stop`.
 export async function serve(spec, options = []) {
   const server = spawn(TRIMLINE, ["view", spec, "--port", "0", "--quiet", ...options]);

@@ -1,7 +1,6 @@
 // Emitted GLSL and WGSL, compiled and run by a browser: they give the surface that `eval` gives, in single precision.
 
-import { basename } from "node:path";
-import { check, deviation, evaluate, example, examples, launch, runAll, serve, test, trimline } from "./harness.mjs";
+import { check, deviation, evaluate, example, examples, launch, patchesOf, runAll, serve, test, trimline } from "./harness.mjs";
 
 const browser = await launch("--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader", "--enable-features=Vulkan");
 // WebGPU exists on pages from loopback only.
@@ -84,13 +83,22 @@ const runWgsl = ({ text, call, points }) => page.evaluate(async ({ text, call, p
   return Array.from(new Float32Array(read.getMappedRange()));
 }, { text, call, points });
 
-for (const spec of examples) {
-  const name = basename(spec, ".trim");
-  for (const options of name === "eq27" || name === "eq19" ? [[], ["--method", "exact"]] : [[]]) {
-    const time = name === "eq19" ? 0.125 : 0.375;
+for (const [spec, name] of examples.flatMap((spec) => patchesOf(spec).map((name) => [spec, name]))) {
+  for (const method of name === "eq27" || name === "eq19" ? [[], ["--method", "exact"]] : [[]]) {
+    const options = [...method, "--patch", name];
+    // In the time domain of every example.
+    const time = 0.125;
+    const emitted = (language) => {
+      const text = String(trimline(["emit", spec, "--lang", language, "--time", String(time), "--quiet", ...options]));
+      const [, parameters] = new RegExp(`${name}_surface\\(([^)]*)\\)`).exec(text);
+      return { text, at: /\bt\b/.test(parameters.replace(/\bout\b.*/, "")) ? "at.x, at.y, at.z" : "at.x, at.y" };
+    };
     // Numbers that single precision holds, so that both sides are asked the same; v in [0, 1] is in every domain.
-    const points = Array.from({ length: 16 }, (_, k) => [(k % 5) / 4, k / 16, time]);
-    const compare = (found, text) => {
+    const pointsOf = (text) => {
+      const [, low, high] = /for u in \[([^,]+), ([^\]]+)\]/.exec(text).map(Number);
+      return Array.from({ length: 16 }, (_, k) => [low + ((high - low) * (k % 5)) / 4, k / 16, time]);
+    };
+    const compare = (found, points, text) => {
       // Rounding of 6e-8 in sums of some ten terms of some forty, which cancel in part; and where sines are taken, WGSL
       // allows them an error of 2^-11 each (GLSL names no bound), of which two or three may add up.
       const tolerance = /\b(sin|cos)\(/.test(text) ? 2 ** -10 : 2e-5;
@@ -100,18 +108,15 @@ for (const spec of examples) {
         check(deviation(of(found), of(expected)) < tolerance, `${what} differs by ${deviation(of(found), of(expected))}`);
       }
     };
-    const emitted = (language) => {
-      const text = String(trimline(["emit", spec, "--lang", language, "--time", String(time), "--quiet", ...options]));
-      const [, parameters] = new RegExp(`${name}_surface\\(([^)]*)\\)`).exec(text);
-      return { text, at: /\bt\b/.test(parameters.replace(/\bout\b.*/, "")) ? "at.x, at.y, at.z" : "at.x, at.y" };
-    };
-    test(`glsl_of_${name}_${options.at(-1) ?? "as_stated"}_gives_the_surface_of_eval`, async () => {
+    test(`glsl_of_${name}_${method.at(-1) ?? "as_stated"}_gives_the_surface_of_eval`, async () => {
       const { text, at } = emitted("glsl");
-      compare(await runGlsl({ text, call: `${name}_surface(${at}, s, s_u, s_v)`, points }), text);
+      const points = pointsOf(text);
+      compare(await runGlsl({ text, call: `${name}_surface(${at}, s, s_u, s_v)`, points }), points, text);
     });
-    test(`wgsl_of_${name}_${options.at(-1) ?? "as_stated"}_gives_the_surface_of_eval`, async () => {
+    test(`wgsl_of_${name}_${method.at(-1) ?? "as_stated"}_gives_the_surface_of_eval`, async () => {
       const { text, at } = emitted("wgsl");
-      compare(await runWgsl({ text, call: `${name}_surface(${at})`, points }), text);
+      const points = pointsOf(text);
+      compare(await runWgsl({ text, call: `${name}_surface(${at})`, points }), points, text);
     });
   }
 }

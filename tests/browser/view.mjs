@@ -3,7 +3,7 @@
 
 import { copyFileSync, readFileSync, renameSync, writeFileSync } from "node:fs";
 import { basename, join } from "node:path";
-import { check, deviation, evaluate, example, examples, launch, runAll, serve, test, trimline } from "./harness.mjs";
+import { check, deviation, evaluate, example, examples, launch, patchesOf, runAll, serve, test, trimline } from "./harness.mjs";
 
 const browser = await launch();
 
@@ -31,7 +31,7 @@ async function viewing(spec, body, { hash = "", options = [], allowedErrors = 0 
 const facts = (page) => page.evaluate(() => ({ ...window.__trimline.facts, time: window.__trimline.state.time,
   camera: String(window.__trimline.state.camera), requests: window.__trimline.requests.length }));
 const pixels = (page) => page.evaluate(() => window.__trimline.pixels());
-const pointAt = (page, u, v) => page.evaluate(([u, v]) => window.__trimline.point(u, v), [u, v]);
+const pointAt = (page, u, v, patch = 0) => page.evaluate((at) => window.__trimline.point(...at), [u, v, patch]);
 const answered = (page, before) => page.waitForFunction((n) => window.__trimline.facts.answers > n, before.answers);
 const setInput = (page, selector, value, kind = "input") => page.evaluate(([selector, value, kind]) => {
   const input = document.querySelector(selector);
@@ -50,18 +50,23 @@ for (const spec of examples) {
     const { drawn, width, height } = await pixels(page);
     check(drawn > 0.05 * width * height, `only ${drawn} of ${width * height} pixels are drawn`);
     const { time } = await facts(page);
-    const [low, high] = domain(spec);
-    for (const [u, share] of [[0, 0.1], [0.37, 0.83], [1, 0.5]]) {
-      const v = low + share * (high - low);
-      const [expected] = evaluate(spec, [[u, v, time]]);
-      // The series agree to 1e-14 of the size, the browser's functions with the library's to units in the last place.
-      const found = await pointAt(page, u, v);
-      check(deviation(found, expected) < 1e-10, `at ${u}, ${v}: ${found} instead of ${expected}`);
+    const patches = await page.evaluate(() => window.__trimline.patches());
+    check(String(patches.map(({ name }) => name)) === String(patchesOf(spec)), "the patches are others");
+    for (const [index, { name, domain: [[from, to], [low, high]] }] of patches.entries()) {
+      check(deviation([low, high], domain(spec)) < 1e-15, `v in ${low}, ${high}`);
+      const options = ["--patch", name];
+      for (const [across, along] of [[0, 0.1], [0.37, 0.83], [1, 0.5]]) {
+        const [u, v] = [from + across * (to - from), low + along * (high - low)];
+        const [expected] = evaluate(spec, [[u, v, time]], options);
+        // The series agree to 1e-14 of the size, the browser's functions with the library's to units in the last place.
+        const found = await pointAt(page, u, v, index);
+        check(deviation(found, expected) < 1e-10, `${name} at ${u}, ${v}: ${found} instead of ${expected}`);
+      }
+      const drawnVertex = await page.evaluate((index) => window.__trimline.vertex(32, 64, index), index);
+      const [u, v] = [from + (32 / 128) * (to - from), low + (64 / 256) * (high - low)];
+      // What is drawn: sums of some ten products in single precision.
+      check(deviation(drawnVertex, evaluate(spec, [[u, v, time]], options)[0]) < 1e-5, `the vertex at ${u}, ${v} is drawn at ${drawnVertex}`);
     }
-    const drawnVertex = await page.evaluate(() => window.__trimline.vertex(32, 64));
-    const [u, v] = [32 / 128, low + (64 / 256) * (high - low)];
-    // What is drawn: sums of some ten products in single precision.
-    check(deviation(drawnVertex, evaluate(spec, [[u, v, time]])[0]) < 1e-5, `the vertex at ${u}, ${v} is drawn at ${drawnVertex}`);
     check(await page.locator("#equation math, #basis math").count() >= 5, "the mathematics are missing");
   }));
 }
@@ -204,6 +209,66 @@ test("layers_can_be_switched_off_and_lines_on", () => viewing(example("eq19"), a
     check((await pixels(page)).hash !== before.hash, name);
   }
 }));
+
+// The vertices of an object in an OBJ file.
+function objectOf(path, name) {
+  const [, text] = readFileSync(path, "utf8").split(/^o /m).map((part) => part.split(/\n(.*)/s)).find(([title]) => title.trim() === name);
+  return text.split("\n").filter((line) => line.startsWith("v ")).map((line) => line.split(/\s+/).slice(1, 4).map(Number));
+}
+
+test("primary_surfaces_are_those_of_the_mesh_at_every_instant_and_can_be_switched_off", (folder) => viewing(example("join_cylinder_cone"), async (page) => {
+  await setInput(page, "#time", "1.25");
+  await page.waitForFunction(() => window.__trimline.state.time === 1.25);
+  const { time } = await facts(page);
+  const path = join(folder, "surfaces.obj");
+  trimline(["mesh", example("join_cylinder_cone"), "-o", path, "--with-surfaces", "--grid", "48x96", "--time", String(time), "--quiet"]);
+  const names = [...readFileSync(example("join_cylinder_cone"), "utf8").matchAll(/^surface (\w+)/gm)].map(([, name]) => name);
+  check(names.length === 2, `${names}`);
+  for (const [index, name] of names.entries()) {
+    const vertices = objectOf(path, name);
+    const columns = vertices.length / 49;
+    check(columns === 96 || columns === 97, `${vertices.length} vertices of ${name}`);
+    for (const [i, j] of [[0, 0], [17, 31], [48, 95]]) {
+      const found = await page.evaluate((at) => window.__trimline.primary(...at), [i, j, index]);
+      // Single precision.
+      check(deviation(found, vertices[i * columns + j]) < 1e-6, `${name} at ${i}, ${j}: ${found} instead of ${vertices[i * columns + j]}`);
+    }
+  }
+  const before = await pixels(page);
+  await page.click("#layers input[name=surfaces]");
+  check((await pixels(page)).drawn < before.drawn, "as much is drawn without the surfaces");
+}));
+
+for (const [name, rows] of [["eq24", 2], ["join_cylinder_cone", 2]]) {
+  test(`report_of_${name}_says_how_patches_and_surfaces_meet_as_check_does`, () => viewing(example(name), async (page) => {
+    const { time } = await facts(page);
+    const report = JSON.parse(trimline(["check", example(name), "--format", "json", "--time", String(time), "--quiet"]));
+    const met = [...report.patches.flatMap(({ joins }) => joins), ...report.seams];
+    check(met.length === rows, `${met.length} joins and seams`);
+    const lines = (await page.locator("#report tr").allInnerTexts()).filter((line) => / (joins|meets) /.test(line));
+    check(lines.length === rows, lines.join("; "));
+    met.forEach(({ gap, angle_degrees: angle }, index) => {
+      const expected = `gap ${gap.toExponential(1)}, angle ${angle.toExponential(1)}°`;
+      check(lines[index].includes(expected), `${lines[index]} instead of ${expected}`);
+    });
+  }));
+}
+
+test("time_runs_over_the_instants_that_all_patches_have", (folder) => {
+  const spec = join(folder, "times.trim");
+  const patch = (name, times, from) => `patch ${name} {
+    domain u in [${from}, ${from + 1}], t in [${times}]
+    at u = ${from}: S = [cos v, sin v, ${from} + t]
+    at u = ${from}: dS/du = [0, 0, 1]
+    at u = ${from + 1}: S = [cos v, sin v, ${from + 1} + t]
+    at u = ${from + 1}: dS/du = [0, 0, 1]
+}\n`;
+  writeFileSync(spec, patch("low", "0, 2", 0) + patch("high", "1, 3", 1));
+  return viewing(spec, async (page) => {
+    const range = await page.evaluate(() => ["min", "max", "value"].map((key) => Number(document.getElementById("time")[key])));
+    check(String(range) === "1,2,1", `the slider is from, to, at ${range}`);
+  });
+});
 
 test("address_restores_time_values_colouring_and_camera", () => viewing(example("eq19"), async (page) => {
   await page.mouse.move(300, 300);

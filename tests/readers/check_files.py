@@ -32,14 +32,14 @@ SINGLE = 1.3e-7
 
 
 class Case:
-    """A spec with its grid and instants, and what `trimline eval` says about it."""
+    """A patch with its grid and instants, and what `trimline eval` says about it: that named, or the only one."""
 
-    def __init__(self, trimline, spec, folder, grid, frames, v_range, t_range, is_closed):
+    def __init__(self, trimline, spec, folder, grid, frames, v_range, t_range, is_closed, u_range=(0, 1), patch=None):
         self.trimline, self.spec, self.folder, self.frames, self.is_closed = trimline, spec, folder, frames, is_closed
-        self.name, self.grid = spec.stem, grid
+        self.name, self.grid, self.chosen = patch or spec.stem, grid, ["--patch", patch] if patch else []
         rows, columns = grid[0] + 1, grid[1] + (0 if is_closed else 1)
         self.rows, self.columns = rows, columns
-        self.u = np.linspace(0, 1, rows)
+        self.u = np.linspace(*u_range, rows)
         self.v = np.linspace(*v_range, grid[1] + 1)[:columns]
         self.t = np.linspace(*t_range, frames)
         self.vertices, self.quads = rows * columns, grid[0] * grid[1]
@@ -51,7 +51,7 @@ class Case:
         writer.writerow("uvt")
         for t in self.t:
             writer.writerows((repr(float(u)), repr(float(v)), repr(float(t))) for u in self.u for v in self.v)
-        found = self.run("eval", "--points", "-", "--derivatives", "u,v", input=points.getvalue())
+        found = self.run("eval", "--points", "-", "--derivatives", "u,v", *self.chosen, input=points.getvalue())
         table = np.array([[float(x) for x in row] for row in list(csv.reader(io.StringIO(found)))[1:]])
         table = table.reshape(self.frames, self.vertices, -1)
         return table[..., 3:6], table[..., 6:9], table[..., 9:12]
@@ -93,10 +93,15 @@ def equal(found, expected, what):
     assert found == expected, f"{what}: {found} instead of {expected}"
 
 
-def glb(case):
-    reader = ["node", str(HERE / "read_glb.js"), str(case.animation("glb"))]
+def read_glb(path):
+    reader = ["node", str(HERE / "read_glb.js"), str(path)]
     found = json.loads(subprocess.run(reader, check=True, capture_output=True, text=True).stdout)
     equal((found["issues"]["numErrors"], found["issues"]["numWarnings"]), (0, 0), f"validator: {found['issues']}")
+    return found
+
+
+def glb(case):
+    found = read_glb(case.animation("glb"))
     equal(found["info"]["totalVertexCount"], case.vertices, "vertices")
     near(found["times"], case.t, SINGLE, "times")
     near(found["extras"].get("t", found["times"]), case.t, DOUBLE, "instants")
@@ -114,12 +119,17 @@ def glb_still(case):
     equal(len(mesh.faces), 2 * case.quads, "triangles")
 
 
-def usd(case):
-    stage = Usd.Stage.Open(str(case.animation("usda")))
+def read_usd(path):
+    """The stage and its meshes."""
+    stage = Usd.Stage.Open(str(path))
     validators = UsdValidation.ValidationRegistry().GetOrLoadAllValidators()
     errors = UsdValidation.ValidationContext(validators).Validate(stage)
     assert len(validators) > 10 and not errors, [error.GetMessage() for error in errors]
-    [mesh] = [UsdGeom.Mesh(prim) for prim in stage.Traverse() if prim.IsA(UsdGeom.Mesh)]
+    return stage, [UsdGeom.Mesh(prim) for prim in stage.Traverse() if prim.IsA(UsdGeom.Mesh)]
+
+
+def usd(case):
+    stage, [mesh] = read_usd(case.animation("usda"))
     codes = list(range(case.frames))
     equal((stage.GetStartTimeCode(), stage.GetEndTimeCode()), (0, case.frames - 1), "range of time codes")
     rate = stage.GetTimeCodesPerSecond()
@@ -147,16 +157,20 @@ def npz(case):
         near(found[name], expected, DOUBLE, name)
 
 
+def read_vtp(path):
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    assert reader.GetErrorCode() == 0
+    return reader.GetOutput()
+
+
 def vtp(case):
     frames = case.mesh(f"{case.name}.vtp", "--frames", str(case.frames), "--fields", "curvature,residual")
     series = xml.parse(frames.with_suffix(".pvd")).findall("Collection/DataSet")
     near([float(entry.get("timestep")) for entry in series], case.t, DOUBLE, "times")
     for frame, entry in enumerate(series):
-        reader = vtkXMLPolyDataReader()
-        reader.SetFileName(str(case.folder / entry.get("file")))
-        reader.Update()
-        assert reader.GetErrorCode() == 0
-        data = reader.GetOutput()
+        data = read_vtp(case.folder / entry.get("file"))
         equal((data.GetNumberOfPoints(), data.GetNumberOfPolys()), (case.vertices, case.quads), "counts")
         near(vtk_to_numpy(data.GetPoints().GetData()), case.positions[frame], DOUBLE, "positions")
         arrays = data.GetPointData()
@@ -229,6 +243,58 @@ def pictures(case):
         equal(moving.info["duration"], duration, f"duration in {name}")
 
 
+def objects_of_glb(patches, path):
+    found = read_glb(path)
+    meshes = [(mesh["name"], mesh["triangles"], mesh["positions"]) for mesh in found["meshes"]]
+    for patch, (name, triangles, positions) in zip(patches, meshes, strict=True):
+        equal((name, triangles), (patch.name, 2 * patch.quads), "mesh")
+        near(np.reshape(positions, patch.positions.shape), patch.positions, SINGLE, name)
+
+
+def objects_of_usd(patches, path):
+    _, meshes = read_usd(path)
+    for patch, mesh in zip(patches, meshes, strict=True):
+        equal(mesh.GetPrim().GetDisplayName() or mesh.GetPrim().GetName(), patch.name, "name")
+        found = [mesh.GetPointsAttr().Get(code) for code in range(patch.frames)]
+        near(found, patch.positions, SINGLE, patch.name)
+
+
+def objects_of_obj(patches, path):
+    found = trimesh.load(path, process=False, maintain_order=True, split_objects=True).geometry
+    equal(sorted(found), sorted(patch.name for patch in patches), "names")
+    for patch in patches:
+        mesh = found[patch.name]
+        equal(len(mesh.faces), 2 * patch.quads, "triangles")
+        # The reader may keep the vertices of all objects for each; those of its faces are its own, in some order.
+        corners = mesh.vertices[np.unique(mesh.faces)]
+        distances = np.linalg.norm(patch.positions[0][:, None] - corners[None], axis=-1)
+        for axis in (0, 1):
+            near(distances.min(axis=axis), np.zeros(distances.shape[1 - axis]), DOUBLE, patch.name)
+
+
+def objects_of_vtp(patches, path):
+    data = read_vtp(path)
+    names = data.GetFieldData().GetAbstractArray("patches")
+    equal([names.GetValue(k) for k in range(names.GetNumberOfValues())], [patch.name for patch in patches], "names")
+    cells = vtk_to_numpy(data.GetCellData().GetArray("patch"))
+    near(cells, np.repeat(range(len(patches)), [patch.quads for patch in patches]), DOUBLE, "patch of each cell")
+    positions = np.concatenate([patch.positions[0] for patch in patches])
+    near(vtk_to_numpy(data.GetPoints().GetData()), positions, DOUBLE, "positions")
+
+
+def several_patches(trimline, spec, folder):
+    """Each patch of a spec is an object of its own, with its name, in every format that has objects."""
+    ranges = [("bowl", (0, 1)), ("stem", (1, 2)), ("foot", (2, 3))]
+    patches = [
+        Case(trimline, spec, folder, (5, 12), 3, (0, 2 * math.pi), (0, 1), True, u_range, name)
+        for name, u_range in ranges
+    ]
+    readers = [("glb", objects_of_glb), ("usda", objects_of_usd), ("obj", objects_of_obj), ("vtp", objects_of_vtp)]
+    for extension, read in readers:
+        frames = ["--frames", "3"] if extension in ("glb", "usda") else []
+        yield read.__name__, lambda: read(patches, patches[0].mesh(f"{spec.stem}.{extension}", *frames))
+
+
 def main(trimline, examples):
     examples = pathlib.Path(examples)
     readers = [glb, glb_still, usd, npz, vtp, threemf, ply, obj, stl, pictures]
@@ -247,11 +313,17 @@ def main(trimline, examples):
             for reader in readers:
                 if reader in (glb, usd) and frames == 1:
                     continue
-                try:
-                    reader(case)
-                except AssertionError as error:
-                    sys.exit(f"{label}: {reader.__name__}: {error}")
-                print(f"{label}: {reader.__name__} ok")
+                report(label, reader.__name__, lambda: reader(case))
+        for name, check in several_patches(trimline, examples / "eq24.trim", folder):
+            report("eq24", name, check)
+
+
+def report(label, name, check):
+    try:
+        check()
+    except (AssertionError, ValueError) as error:
+        sys.exit(f"{label}: {name}: {error}")
+    print(f"{label}: {name} ok")
 
 
 main(*sys.argv[1:])

@@ -11,6 +11,7 @@ use trimline::verify::{JoinDeviation, Verification, verify_joins};
 
 use crate::Outcome;
 use crate::failure::{Failure, print_warnings};
+use crate::joins::{self, JoinReport};
 use crate::options::{Collocation, Format, Solving, Terminal};
 use crate::output;
 use crate::seams::{self, SeamReport};
@@ -63,7 +64,7 @@ struct PatchReport {
     name: String,
     method: &'static str,
     boundaries: Vec<Boundary>,
-    joins: Vec<Join>,
+    joins: Vec<JoinReport>,
     pde_residual: f64,
     /// The instant at which the residual is that large.
     pde_residual_time: f64,
@@ -95,20 +96,6 @@ struct Boundary {
     u: f64,
     order: usize,
     max_error: f64,
-}
-
-/// How the patch meets a surface that it joins.
-#[derive(Serialize)]
-struct Join {
-    surface: String,
-    u: f64,
-    gap: f64,
-    tangent: Option<f64>,
-    angle_degrees: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    curvature: Option<f64>,
-    /// Points where the patch or the surface has no tangent plane.
-    without_normal: usize,
 }
 
 /// What one spec adds to the report, and the stated seams that are open.
@@ -212,7 +199,7 @@ fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Check
         }
         if let Some(worst) = worst {
             let report = patch_report(&spec, patched, method, &worst, times)?;
-            let joins = join_reports(&spec, patched, joins.unwrap_or_default())?;
+            let joins = joins::reports(&spec, patched, joins.unwrap_or_default())?;
             let explanation =
                 if arguments.explain { Some(explanations(&spec, patched.prepared.patch())?) } else { None };
             reports.push(PatchReport {
@@ -225,7 +212,13 @@ fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Check
         }
     }
     let (seams, open) = match seam_times(arguments, &spec, &prepared) {
-        Some(times) => seams::measure(&spec, &prepared, &times)?,
+        Some(times) => {
+            let surfaces_at = |time| {
+                let solved = prepared.iter().map(|patched| spec.solve(patched, time));
+                solved.map(|solved| Ok(solved?.solution.surface)).collect()
+            };
+            seams::measure(&spec, &prepared.iter().collect::<Vec<_>>(), &times, surfaces_at)?
+        }
         None => Default::default(),
     };
     let open = if open.is_empty() { None } else { Some(Failure::found(&spec.source, open)) };
@@ -252,24 +245,6 @@ fn measured_instants([start, end]: [f64; 2]) -> Vec<f64> {
     let mut times: Vec<f64> = shares.map(|share| start + share * (end - start)).chain([start, end]).collect();
     times.sort_by(f64::total_cmp);
     times
-}
-
-fn join_reports(spec: &Spec, patched: &Patched, met: Vec<JoinDeviation>) -> Result<Vec<Join>, Failure> {
-    let mut reports = Vec::with_capacity(met.len());
-    for (join, met) in patched.prepared.patch().joins.iter().zip(met) {
-        let u = spec.bindings.constant(&spec.problem, join.u, None, "the position of a boundary");
-        let surface = spec.problem.surfaces.get(join.surface);
-        reports.push(Join {
-            surface: surface.map_or_else(String::new, |surface| surface.name.clone()),
-            u: u.map_err(|finding| spec.fault(finding))?,
-            gap: met.gap,
-            tangent: met.tangent,
-            angle_degrees: met.angle_degrees,
-            curvature: met.curvature,
-            without_normal: met.without_normal,
-        });
-    }
-    Ok(reports)
 }
 
 fn patch_report(
@@ -347,7 +322,7 @@ fn residual_text(patch: &PatchReport) -> String {
     text
 }
 
-fn join_text(join: &Join) -> String {
+fn join_text(join: &JoinReport) -> String {
     let mut text = format!("gap {:.1e}, {}", join.gap, angle_text(join.angle_degrees));
     if let Some(tangent) = join.tangent {
         let _ = write!(text, ", unit tangents {tangent:.1e} apart");

@@ -10,6 +10,7 @@ mod eval;
 mod failure;
 mod fit;
 mod fmt;
+mod joins;
 mod mesh;
 mod options;
 mod output;

@@ -14,7 +14,7 @@ use trimline::verify::residuals;
 
 use crate::failure::{Failure, print_warnings};
 use crate::options::{Collocation, Solving, Terminal, option_finding, read_grid};
-use crate::workflow::{Patched, Spec, common_times};
+use crate::workflow::{Patched, Spec};
 
 /// What to solve, and into how many quads to cut it.
 #[derive(Args)]
@@ -72,10 +72,7 @@ impl Scenes {
     /// As many instants as `frames` over the time domain, or the one that the user asked for; at all of them every patch
     /// has a shape.
     pub fn times(&self, frames: Option<usize>, time: Option<f64>) -> Result<Vec<f64>, Failure> {
-        let range = common_times(&self.patched).ok_or_else(|| {
-            let finding = Diagnostic::new(Code::EmptyDomain, "no instant lies in the time domain of every patch");
-            self.spec.fault(finding.hint("choose patches with --patch, or state one `domain t in [..]` for all"))
-        })?;
+        let range = self.spec.common_times(&self.patched)?;
         match frames {
             None => match time {
                 None => Ok(vec![range[0]]),
@@ -113,17 +110,8 @@ impl Scenes {
     /// Adds the primary surfaces over their stated ranges; over those of the first patch where none is stated.
     fn add_surfaces(&self, scene: &mut Scene) -> Result<(), Failure> {
         let (Some(first), spec) = (self.patched.first(), &self.spec) else { return Ok(()) };
-        let constant = |expr| {
-            let value = spec.bindings.constant(&spec.problem, expr, None, "the range of a surface's parameter");
-            value.map_err(|finding| spec.fault(finding))
-        };
         for primary in &spec.problem.surfaces {
-            let mut ranges = [first.prepared.domain.u, first.prepared.domain.v];
-            for (range, stated) in ranges.iter_mut().zip(primary.ranges) {
-                if let Some([low, high]) = stated {
-                    *range = [constant(low)?, constant(high)?];
-                }
-            }
+            let ranges = spec.ranges_of(primary, [first.prepared.domain.u, first.prepared.domain.v])?;
             let surface = SymbolicSurface::new(&spec.problem, primary, &spec.bindings, &spec.limits);
             let tessellated = tessellate(&primary.name, &surface, ranges.into(), scene.time, self.grid);
             let (mut mesh, _) = tessellated.map_err(|finding| spec.fault(finding.at(primary.origin)))?;

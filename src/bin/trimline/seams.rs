@@ -1,9 +1,12 @@
 //! Where the patches of a spec meet: the seams it states, and those that are there.
 
+use std::sync::Arc;
+
 use serde::Serialize;
 
 use trimline::diagnostic::{Code, Diagnostic};
 use trimline::problem::Seam;
+use trimline::surface::Surface;
 use trimline::verify::{Edge, SeamDeviation};
 
 use crate::failure::Failure;
@@ -41,19 +44,24 @@ struct Pair<'a> {
     worst: Option<SeamDeviation>,
 }
 
-/// Measures the seams at `times`, and says which of the stated ones are open.
-pub fn measure(spec: &Spec, patched: &[Patched], times: &[f64]) -> Result<(Vec<SeamReport>, Vec<Diagnostic>), Failure> {
+/// Measures the seams at `times`, at which `surfaces_at` gives those of all patches, and says which of the stated ones
+/// are open.
+pub fn measure(
+    spec: &Spec,
+    patched: &[&Patched],
+    times: &[f64],
+    surfaces_at: impl Fn(f64) -> Result<Vec<Arc<dyn Surface + Send + Sync>>, Failure>,
+) -> Result<(Vec<SeamReport>, Vec<Diagnostic>), Failure> {
     let mut pairs = pairs(spec, patched)?;
     let mut size = 0.0_f64;
     for &time in times {
-        let surfaces = patched.iter().map(|patch| spec.solve(patch, time)).collect::<Result<Vec<_>, _>>()?;
+        let surfaces = surfaces_at(time)?;
         let sample = |(patch, u): Place| -> Result<Edge, Failure> {
-            let (Some(solved), Some(patched)) = (surfaces.get(patch), patched.get(patch)) else {
+            let (Some(surface), Some(patched)) = (surfaces.get(patch), patched.get(patch)) else {
                 return Err(Failure::Machine("an edge of a patch that was not solved".to_owned()));
             };
             let domain = &patched.prepared.domain;
-            Edge::sample(&*solved.solution.surface, (u, domain.u), domain.v, time)
-                .map_err(|finding| spec.fault(finding))
+            Edge::sample(&**surface, (u, domain.u), domain.v, time).map_err(|finding| spec.fault(finding))
         };
         // Each edge once, however many pairs it is in.
         let mut edges: Vec<(Place, Edge)> = Vec::new();
@@ -87,7 +95,7 @@ pub fn measure(spec: &Spec, patched: &[Patched], times: &[f64]) -> Result<(Vec<S
     Ok((pairs.into_iter().filter_map(|pair| report(pair, patched)).collect(), open))
 }
 
-fn report(pair: Pair<'_>, patched: &[Patched]) -> Option<SeamReport> {
+fn report(pair: Pair<'_>, patched: &[&Patched]) -> Option<SeamReport> {
     let place = |(patch, u): Place| {
         let name = patched.get(patch).map(|patched| patched.prepared.patch().name.clone());
         EdgePlace { patch: name.unwrap_or_default(), u }
@@ -97,7 +105,7 @@ fn report(pair: Pair<'_>, patched: &[Patched]) -> Option<SeamReport> {
 }
 
 /// The stated seams of the chosen patches, then every other pair of ends.
-fn pairs<'a>(spec: &'a Spec, patched: &[Patched]) -> Result<Vec<Pair<'a>>, Failure> {
+fn pairs<'a>(spec: &'a Spec, patched: &[&Patched]) -> Result<Vec<Pair<'a>>, Failure> {
     let mut pairs: Vec<Pair<'a>> = Vec::new();
     for seam in &spec.problem.seams {
         let mut between = Vec::with_capacity(2);

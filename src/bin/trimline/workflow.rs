@@ -10,7 +10,7 @@ use trimline::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span};
 use trimline::eval::Backend;
 use trimline::limits::Limits;
 use trimline::method::{Options, Solution};
-use trimline::problem::{Bindings, Patch, Problem};
+use trimline::problem::{Bindings, Patch, PrimarySurface, Problem};
 use trimline::resolve::{resolve, review, set_parameter};
 use trimline::syntax;
 use trimline::verify::Verification;
@@ -76,6 +76,29 @@ impl Spec {
     /// A failure that points into this spec.
     pub fn fault(&self, finding: Diagnostic) -> Failure {
         Failure::one(&self.source, finding)
+    }
+
+    /// The instants that lie in the time domain of every patch.
+    pub fn common_times(&self, patched: &[Patched]) -> Result<[f64; 2], Failure> {
+        common_times(patched).ok_or_else(|| {
+            let finding = Diagnostic::new(Code::EmptyDomain, "no instant lies in the time domain of every patch");
+            self.fault(finding.hint("choose patches with --patch, or state one `domain t in [..]` for all"))
+        })
+    }
+
+    /// The ranges of a primary surface's parameters: those stated, otherwise those given.
+    pub fn ranges_of(&self, primary: &PrimarySurface, otherwise: [[f64; 2]; 2]) -> Result<[[f64; 2]; 2], Failure> {
+        let constant = |expr| {
+            let value = self.bindings.constant(&self.problem, expr, None, "the range of a surface's parameter");
+            value.map_err(|finding| self.fault(finding))
+        };
+        let mut ranges = otherwise;
+        for (range, stated) in ranges.iter_mut().zip(primary.ranges) {
+            if let Some([low, high]) = stated {
+                *range = [constant(low)?, constant(high)?];
+            }
+        }
+        Ok(ranges)
     }
 
     /// Decomposes a patch.

@@ -33,6 +33,18 @@ fn every_command_takes_all_patches_or_the_one_that_is_named() {
 }
 
 #[test]
+fn emit_takes_one_patch_and_names_those_there_are() {
+    let folder = Folder::new();
+    let spec = folder.spec(TWO);
+    let output = trimline(&["emit", &spec, "--lang", "c"]);
+    assert_eq!(status(&output), 2);
+    assert!(text(&output.stderr).contains("choose one of low, high with --patch"), "{}", text(&output.stderr));
+    assert!(output.stdout.is_empty());
+    let emitted = done(&trimline(&["emit", &spec, "--lang", "c", "--patch", "high"]));
+    assert!(emitted.contains("high_surface(") && emitted.contains("u in [1.0, 2.0]"), "{emitted}");
+}
+
+#[test]
 fn mesh_of_several_patches_has_an_object_for_each() {
     let folder = Folder::new();
     let (spec, target) = (folder.spec(TWO), folder.path("out.obj"));

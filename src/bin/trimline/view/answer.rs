@@ -4,6 +4,7 @@
 //! v, the G_j as Chebyshev series, the boundary data as a program of their own: so the page draws at any resolution and
 //! any t, and measures the gap at the boundary, without asking again.
 
+use std::sync::Arc;
 use std::time::Instant;
 
 use serde::Serialize;
@@ -17,12 +18,15 @@ use trimline::expr::{Derivative, unicode_name};
 use trimline::method::Solution;
 use trimline::numeric::ChebyshevSeries;
 use trimline::problem::ParameterKind;
+use trimline::verify::verify_joins;
 
 use super::finding::Finding;
 use super::live::{Answerable, Live};
 use super::notation;
 use super::server::Question;
 use crate::failure::Failure;
+use crate::joins::{self, JoinReport};
+use crate::seams::{self, SeamReport};
 use crate::workflow::{Patched, Solved, Spec};
 
 /// Everything the page shows.
@@ -45,7 +49,24 @@ pub struct Scene {
 #[derive(Serialize)]
 struct SolvedScene {
     parameters: Vec<Parameter>,
+    /// The instants that all patches have.
+    times: [f64; 2],
+    /// The instant at which everything was solved and measured.
+    time: f64,
     patches: Vec<Patch>,
+    surfaces: Vec<Primary>,
+    seams: Vec<SeamReport>,
+}
+
+/// A primary surface; the page evaluates it at any t.
+#[derive(Serialize)]
+struct Primary {
+    name: String,
+    /// Of its two parameters.
+    ranges: [[f64; 2]; 2],
+    symbols: Vec<f64>,
+    /// x, y and z in u, v and t.
+    position: Value,
 }
 
 /// Something with a slider.
@@ -78,6 +99,7 @@ struct Patch {
     equation: String,
     functions: Vec<String>,
     report: Value,
+    joins: Vec<JoinReport>,
 }
 
 #[derive(Serialize)]
@@ -133,11 +155,46 @@ impl SolvedScene {
         for (patched, solved) in &answerable.patches {
             let found = &solved.solution.report.warnings;
             warnings.extend(found.iter().map(|warning| Finding::new(warning, Some(&spec.source))));
-            patches.push(patch(spec, patched, solved).map_err(|finding| spec.fault(finding))?);
+            let joins = joins(spec, patched, solved)?;
+            patches.push(patch(spec, patched, solved, joins).map_err(|finding| spec.fault(finding))?);
         }
         let parameters = parameters(spec).map_err(|finding| spec.fault(finding))?;
-        Ok((SolvedScene { parameters, patches }, warnings))
+        let (surfaces, seams) = (primaries(answerable)?, seams(answerable)?);
+        let Answerable { times, time, .. } = *answerable;
+        Ok((SolvedScene { parameters, times, time, patches, surfaces, seams }, warnings))
     }
+}
+
+/// The primary surfaces over their stated ranges; over those of the first patch where none is stated.
+fn primaries(answerable: &Answerable<'_>) -> Result<Vec<Primary>, Failure> {
+    let (spec, Some((first, _))) = (answerable.spec, answerable.patches.first()) else { return Ok(Vec::new()) };
+    let mut all = Vec::with_capacity(spec.problem.surfaces.len());
+    for primary in &spec.problem.surfaces {
+        all.push(Primary {
+            name: primary.name.clone(),
+            ranges: spec.ranges_of(primary, [first.prepared.domain.u, first.prepared.domain.v])?,
+            symbols: spec.bindings.as_slice().to_vec(),
+            position: program(&Program::compile(&spec.problem.graph, &primary.position)),
+        });
+    }
+    Ok(all)
+}
+
+/// Where patches meet at the page's instant; none are looked for between the ends of a single patch.
+fn seams(answerable: &Answerable<'_>) -> Result<Vec<SeamReport>, Failure> {
+    let (spec, patches) = (answerable.spec, &answerable.patches);
+    if patches.len() < 2 && spec.problem.seams.is_empty() {
+        return Ok(Vec::new());
+    }
+    let patched: Vec<&Patched> = patches.iter().map(|(patched, _)| *patched).collect();
+    let surfaces = |_| Ok(patches.iter().map(|(_, solved)| Arc::clone(&solved.solution.surface)).collect());
+    seams::measure(spec, &patched, &[answerable.time], surfaces).map(|(seams, _)| seams)
+}
+
+fn joins(spec: &Spec, patched: &Patched, solved: &Solved) -> Result<Vec<JoinReport>, Failure> {
+    let at = (&spec.bindings, &patched.prepared.domain, solved.time);
+    let met = verify_joins(&spec.problem, patched.prepared.patch(), &*solved.solution.surface, at, &spec.limits);
+    joins::reports(spec, patched, met.map_err(|finding| spec.fault(finding))?)
 }
 
 fn parameters(spec: &Spec) -> Result<Vec<Parameter>, Diagnostic> {
@@ -160,7 +217,7 @@ fn parameters(spec: &Spec) -> Result<Vec<Parameter>, Diagnostic> {
     Ok(all)
 }
 
-fn patch(spec: &Spec, patched: &Patched, solved: &Solved) -> Result<Patch, Diagnostic> {
+fn patch(spec: &Spec, patched: &Patched, solved: &Solved, joins: Vec<JoinReport>) -> Result<Patch, Diagnostic> {
     let prepared = &patched.prepared;
     let surface = solved.solution.separable().map_err(|finding| finding.at(prepared.patch().boundary_origin()))?;
     let (stated, domain, graph) = (prepared.patch(), prepared.domain, &spec.problem.graph);
@@ -190,6 +247,7 @@ fn patch(spec: &Spec, patched: &Patched, solved: &Solved) -> Result<Patch, Diagn
             .map(|function| notation::expression(&prepared.decomposition.graph, function.expr))
             .collect(),
         report: report(&solved.solution, solved),
+        joins,
     })
 }
 

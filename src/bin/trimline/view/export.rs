@@ -39,13 +39,11 @@ fn scene(answerable: &Answerable<'_>, (u_cells, v_cells): (usize, usize)) -> Res
     let grid = Grid::new(u_cells, v_cells, &spec.limits)
         .map_err(|finding| option_finding("grid", &format!("{u_cells}x{v_cells}"), finding))?;
     let mut meshes = Vec::new();
-    let mut time = 0.0;
     for (patched, solved) in &answerable.patches {
         let prepared = &patched.prepared;
         let ranges = (prepared.domain.u, prepared.domain.v);
         let mesh = tessellate(&prepared.patch().name, &*solved.solution.surface, ranges, solved.time, grid);
         meshes.push(mesh.map_err(|finding| spec.fault(finding))?.0);
-        time = solved.time;
     }
-    Ok(Scene { meshes, time })
+    Ok(Scene { meshes, time: answerable.time })
 }

@@ -35,6 +35,10 @@ struct Compiled {
 /// A spec with values from the page, and its patches solved at one instant.
 pub struct Answerable<'a> {
     pub spec: &'a Spec,
+    /// The instants that all patches have.
+    pub times: [f64; 2],
+    /// The instant of the solutions.
+    pub time: f64,
     pub patches: Vec<(&'a Patched, Solved)>,
 }
 
@@ -86,9 +90,7 @@ impl Live {
             Ok(spec) => spec,
             Err(fault) => return answer(Some(Err(fault)), failure.as_ref()),
         };
-        let solved = compiled.solve(&spec, time.or(self.solving.time));
-        let answerable = solved.map(|patches| Answerable { spec: &spec, patches });
-        answer(Some(answerable), failure.as_ref())
+        answer(Some(compiled.solve(&spec, time.or(self.solving.time))), failure.as_ref())
     }
 
     fn state(&self) -> MutexGuard<'_, State> {
@@ -105,17 +107,18 @@ impl Compiled {
         Ok(Compiled { spec, patches })
     }
 
-    fn solve(&mut self, spec: &Spec, time: Option<f64>) -> Result<Vec<(&Patched, Solved)>, Failure> {
+    fn solve<'a>(&'a mut self, spec: &'a Spec, time: Option<f64>) -> Result<Answerable<'a>, Failure> {
         for patched in &mut self.patches {
             patched.prepared.refresh(&spec.problem, &spec.bindings).map_err(|finding| spec.fault(finding))?;
         }
-        let mut solved = Vec::with_capacity(self.patches.len());
+        let times = spec.common_times(&self.patches)?;
+        let [start, end] = times;
+        // An edit may have moved the time domain away from the page's instant.
+        let time = time.unwrap_or(start).clamp(start, end);
+        let mut patches = Vec::with_capacity(self.patches.len());
         for patched in &self.patches {
-            let [start, end] = patched.prepared.domain.t;
-            // An edit may have moved the time domain away from the page's instant.
-            let time = time.unwrap_or(start).clamp(start, end);
-            solved.push((patched, spec.solve(patched, time)?));
+            patches.push((patched, spec.solve(patched, time)?));
         }
-        Ok(solved)
+        Ok(Answerable { spec, times, time, patches })
     }
 }

@@ -83,9 +83,11 @@ pub fn of(live: &Live, question: &Question) -> Result<Motion, Failure> {
 fn samples(live: &Live, question: &Question, time: Option<f64>) -> Result<Option<Vec<Sample>>, Failure> {
     live.answer(&question.changes, time, |answerable, _| {
         let Some(answerable) = answerable else { return Ok(None) };
-        let samples = answerable?.patches.into_iter().map(|(patched, solved)| Sample {
+        let answerable = answerable?;
+        let times = answerable.times;
+        let samples = answerable.patches.into_iter().map(|(patched, solved)| Sample {
             solution: solved.solution,
-            domain: patched.prepared.domain,
+            domain: DomainValues { t: times, ..patched.prepared.domain },
             time: solved.time,
         });
         Ok(Some(samples.collect()))

@@ -44,7 +44,11 @@ export function showValues(parameters, onChange) {
   });
 }
 
-export function showReport(patches) {
+// How two surfaces meet, in a row of the report.
+const contact = ({ gap, angle_degrees: angle }) =>
+  `gap ${gap.toExponential(1)}, ${angle === null ? "no normals to compare" : `angle ${angle.toExponential(1)}°`}`;
+
+export function showReport({ patches, seams, time: measured }) {
   const number = (value) => (value === null ? "unbounded" : Number(value.toPrecision(3)).toString());
   const rows = patches.flatMap(({ name, time, is_instant, report }) => [
     ["patch", name], ["method", report.method], ["holds", is_instant ? `at t = ${Number(time.toPrecision(5))}` : "for every t"],
@@ -54,6 +58,13 @@ export function showReport(patches) {
       : ["amplification", number(report.amplification)],
     ["solved in", `${report.milliseconds.toFixed(1)} ms`],
   ]);
+  const place = ({ patch, u }) => `${patch} at u = ${number(u)}`;
+  const met = [
+    ...patches.flatMap(({ name, joins }) => joins.map((join) => [`${place({ patch: name, u: join.u })} joins ${join.surface}`, contact(join)])),
+    ...seams.map((seam) => [`${place(seam.between[0])} meets ${place(seam.between[1])}`, contact(seam)]),
+  ];
+  // Measured by the server with the solution; time may have moved on since without asking it.
+  rows.push(["measured at", `t = ${Number(measured.toPrecision(5))}`], ...met);
   byId("report").replaceChildren(...rows.map(([what, value]) =>
     element("tr", {}, element("td", { textContent: what }), element("td", { textContent: value }))));
 }

@@ -1,4 +1,4 @@
-// Straight-line programs over (v, t), run for a whole row of v at once: each operation is one loop.
+// Straight-line programs over (u, v, t), run for a whole row of points at once: each operation is one loop.
 //
 // The program and its operations are those of the library; functions come from the platform here, which may differ
 // from the library's in the last digits.
@@ -12,8 +12,8 @@ const FUNCTIONS = {
   pow: Math.pow,
 };
 
-// Values of every output at each v: an array of rows.
-export function run(program, symbols, v, t) {
+// Values of every output at each v, and u where the program is of both: an array of rows.
+export function run(program, symbols, v, t, u = null) {
   const rows = [];
   for (const [name, a, b] of program.ops) {
     const row = new Float64Array(v.length);
@@ -21,6 +21,7 @@ export function run(program, symbols, v, t) {
     else if (name === "symbol") row.fill(symbols[a]);
     else if (name === "t") row.fill(t);
     else if (name === "v") row.set(v);
+    else if (name === "u" && u) row.set(u);
     else {
       const apply = FUNCTIONS[name];
       if (!apply) throw new Error(`the page does not know the function ${name}`);

@@ -3,6 +3,7 @@
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { Patch } from "./patch.js";
+import { Primary } from "./primary.js";
 import { evenly } from "./program.js";
 import { SHADES, sharedUniforms } from "./shading.js";
 
@@ -20,10 +21,16 @@ export class Stage {
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener("change", () => { this.invalidate(); onCamera(); });
     this.shared = sharedUniforms();
+    // Light from beside the viewer, for the primary surfaces; patches are lit by their own shader.
+    const lamp = new THREE.DirectionalLight(0xffffff, 1.6);
+    lamp.position.set(0.3, 0.5, 0.9);
+    this.camera.add(lamp);
+    this.scene.add(this.camera, new THREE.HemisphereLight(0xffffff, 0xb0b0b0, 1.4));
     this.patches = [];
+    this.primaries = [];
     this.curves = new THREE.Group();
     this.scene.add(this.curves);
-    this.layers = { trimlines: true, edges: true, arrows: true };
+    this.layers = { surfaces: true, trimlines: true, edges: true, arrows: true };
     this.isPlaced = false;
     this.frames = 0;
     this.afterFrame = [];
@@ -58,21 +65,29 @@ export class Stage {
     this.afterFrame.splice(0).forEach((report) => report());
   }
 
-  // New numbers for all patches.
-  show(data, cells, time) {
-    while (this.patches.length > data.length) {
-      const gone = this.patches.pop();
+  // As many drawn things as there are data.
+  match(drawn, data, make) {
+    while (drawn.length > data.length) {
+      const gone = drawn.pop();
       this.scene.remove(gone.mesh);
       gone.dispose();
     }
-    while (this.patches.length < data.length) {
-      const patch = new Patch(this.shared);
-      this.patches.push(patch);
-      this.scene.add(patch.mesh);
+    while (drawn.length < data.length) {
+      const made = make();
+      drawn.push(made);
+      this.scene.add(made.mesh);
     }
+  }
+
+  // New numbers for all patches and primary surfaces.
+  show(data, surfaces, cells, time) {
+    this.match(this.patches, data, () => new Patch(this.shared));
+    this.match(this.primaries, surfaces, () => new Primary());
     data.forEach((patch, index) => this.patches[index].set(patch, cells, time));
+    this.surfaces = surfaces;
+    this.time = time;
     if (!this.isPlaced) this.placeCamera();
-    this.redrawCurves();
+    this.redrawGiven();
   }
 
   knows(time) {
@@ -81,7 +96,8 @@ export class Stage {
 
   setTime(time) {
     this.patches.forEach((patch) => patch.setTime(time));
-    this.redrawCurves();
+    this.time = time;
+    this.redrawGiven();
   }
 
   // A few points of every patch: what the picture has to hold.
@@ -116,6 +132,15 @@ export class Stage {
     this.camera.position.fromArray(numbers, 0);
     this.controls.target.fromArray(numbers, 3);
     this.controls.update();
+  }
+
+  // What the spec states, beside what was solved for.
+  redrawGiven() {
+    this.primaries.forEach((primary, index) => {
+      if (this.layers.surfaces) primary.set(this.surfaces[index], this.time);
+      primary.mesh.visible = this.layers.surfaces && primary.isFinite;
+    });
+    this.redrawCurves();
   }
 
   redrawCurves() {

@@ -7,7 +7,7 @@ import { SHADES } from "./shading.js";
 import { Stage } from "./stage.js";
 
 const GRIDS = ["32x64", "64x128", "128x256", "256x512", "512x512"];
-const LAYERS = ["trimlines", "edges", "arrows", "wireframe"];
+const LAYERS = ["surfaces", "trimlines", "edges", "arrows", "wireframe"];
 // A turn of the clock takes as long, whatever the time domain.
 const SECONDS = 5;
 
@@ -68,7 +68,7 @@ function take(answer) {
     scene = { ...answer.solved, mathematics };
     draw();
     showValues(scene.parameters, setValue);
-    showReport(scene.patches);
+    showReport(scene);
     if (isOther) showMathematics(scene.patches);
     if (isNew) buttons(byId("keep"), [...answer.formats.map((format) => [format, () => download(format)]), ["screenshot", screenshot]]);
     learnMotion();
@@ -83,10 +83,10 @@ function take(answer) {
 
 // The tables of all patches for the newest numbers.
 function draw() {
-  const [from, to] = scene.patches[0]?.domain[2] ?? [0, 1];
-  if (state.time === null || !(state.time >= from && state.time <= to)) state.time = scene.patches[0]?.time ?? from;
+  const [from, to] = scene.times;
+  if (state.time === null || !(state.time >= from && state.time <= to)) state.time = scene.time;
   const began = performance.now();
-  stage.show(scene.patches, cells(), state.time);
+  stage.show(scene.patches, scene.surfaces, cells(), state.time);
   facts.tableMilliseconds = performance.now() - began;
   if (start.camera) { stage.view = start.camera; start.camera = null; }
   Object.assign(byId("time"), { min: from, max: to });
@@ -137,7 +137,7 @@ function play(on) {
   let before = performance.now();
   const step = (now) => {
     if (!isPlaying) return;
-    const [from, to] = scene?.patches[0]?.domain[2] ?? [0, 1];
+    const [from, to] = scene?.times ?? [0, 1];
     const next = state.time + ((to - from) * (now - before)) / (1000 * SECONDS);
     before = now;
     setTime(next > to ? from : next);
@@ -217,7 +217,7 @@ function setLayer(name, on) {
   if (name === "wireframe") state.lines = on;
   else state.off = on ? state.off.filter((other) => other !== name) : [...state.off, name];
   if (name in stage.layers) stage.layers[name] = on;
-  stage.redrawCurves();
+  stage.redrawGiven();
   stage.lines = state.lines;
   remember();
 }
@@ -241,6 +241,8 @@ window.__trimline = {
   get knowsAllTimes() { return stage.patches.every((patch) => !patch.data.is_instant || patch.motion !== null); },
   // What the graphics card made of a vertex: its position in single precision.
   vertex: (i, j, patch = 0) => stage.vertex(i, j, patch),
+  primary: (i, j, index = 0) => stage.primaries[index].vertex(i, j),
+  patches: () => stage.patches.map(({ data: { name, domain } }) => ({ name, domain })),
   pixels: () => stage.pixels(),
   point: (u, v, patch = 0) => stage.patches[patch].points([u], [v])[0][0],
 };
