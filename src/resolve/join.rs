@@ -25,9 +25,9 @@ pub fn expand(
         let hint = format!("declare it: `surface {}(u, v) = …`", name.text);
         return Err(match lowering.scope.meaning(&name.text) {
             None => lowering.scope.unknown_name(name, Some(hint)),
-            Some(_) => Diagnostic::new(Code::UnknownName, format!("`{}` is not a surface", name.text))
-                .at(name.span)
-                .hint(hint),
+            Some(_) => {
+                Diagnostic::new(Code::UnknownName, format!("`{}` is not a surface", name.text)).at(name.span).hint(hint)
+            }
         }
         .into());
     };
