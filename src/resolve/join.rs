@@ -22,11 +22,12 @@ pub fn expand(
         return Err(Fault::Follows);
     }
     let Some((surface, None)) = lowering.surface(&name.text) else {
+        let hint = format!("declare it: `surface {}(u, v) = …`", name.text);
         return Err(match lowering.scope.meaning(&name.text) {
-            None => lowering.scope.unknown_name(name).hint(format!("declare it: `surface {}(u, v) = …`", name.text)),
-            Some(_) => Diagnostic::new(Code::UnknownName, format!("`{}` is not a surface", name.text))
-                .at(name.span)
-                .hint(format!("declare it: `surface {}(u, v) = …`", name.text)),
+            None => lowering.scope.unknown_name(name, Some(hint)),
+            Some(_) => {
+                Diagnostic::new(Code::UnknownName, format!("`{}` is not a surface", name.text)).at(name.span).hint(hint)
+            }
         }
         .into());
     };

@@ -130,7 +130,7 @@ impl Lowering<'_> {
         match self.scope.meaning(&name.text) {
             Some(Meaning::Function(formals, _)) => Err(wrong_arity(&name.text, formals.len(), 0, name.span)),
             Some(meaning) => Ok(Form::of(self.plain_value(meaning, name)?)),
-            None => Err(self.scope.unknown_name(name)),
+            None => Err(self.scope.unknown_name(name, None)),
         }
     }
 
@@ -183,10 +183,9 @@ impl Lowering<'_> {
             },
             None => {
                 let text = &name.text;
-                let finding = self.scope.unknown_name(name);
-                Err(finding.hint(format!(
-                    "as a function define it, `let {text}(x) = …`; as a factor declare it, `param {text} = …`"
-                )))
+                let hint =
+                    format!("as a function define it, `let {text}(x) = …`; as a factor declare it, `param {text} = …`");
+                Err(self.scope.unknown_name(name, Some(hint)))
             }
         }
     }

@@ -38,6 +38,8 @@ pub fn resolve(document: &Document, name: &str, limits: &Limits) -> Result<Probl
     let mut reading = Reading::new(&document.tree, Graph::new(), limits);
     let mut scope = Scope::new(&mut reading.graph, limits);
     prelude::provide(&document.tree, &mut scope, &mut reading);
+    let definitions = document.shared.definitions.iter().map(|definition| &definition.name);
+    scope.announce(document.parameters.iter().map(|param| &param.name).chain(definitions));
     let parameters = declarations::parameters(&document.parameters, &mut scope, &mut reading);
     declarations::definitions(&document.shared.definitions, &mut scope, &mut reading);
     let mut problem = Problem { parameters, ..Problem::default() };

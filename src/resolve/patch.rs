@@ -52,6 +52,7 @@ pub fn sections<'a>(
         }
         let statements = &block.statements;
         let mut scope = scope.of_patch();
+        scope.announce(statements.definitions.iter().map(|definition| &definition.name));
         declarations::definitions(&statements.definitions, &mut scope, reading);
         let operator = match only_equation(&statements.equations, reading) {
             None => operator.clone(),

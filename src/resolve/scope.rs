@@ -55,6 +55,8 @@ pub struct Scope<'a> {
     may_hide: bool,
     /// The coordinates that do not exist inside: a surface has its own.
     hidden: [bool; 3],
+    /// Where the document declares what this scope is to hold, whether read by now or not.
+    announced: FxHashMap<String, Span>,
 }
 
 impl<'a> Scope<'a> {
@@ -68,6 +70,7 @@ impl<'a> Scope<'a> {
             limit: limits.names,
             may_hide: false,
             hidden: [false; 3],
+            announced: FxHashMap::default(),
         };
         for variable in Variable::ALL {
             let value = graph.variable(variable);
@@ -90,6 +93,7 @@ impl<'a> Scope<'a> {
             limit: self.limit,
             may_hide: false,
             hidden: [false; 3],
+            announced: FxHashMap::default(),
         }
     }
 
@@ -202,8 +206,28 @@ impl<'a> Scope<'a> {
         self.order.push(name.to_owned());
     }
 
+    /// Says what is going to be declared, so that a use before that can be told from a slip.
+    pub fn announce<'n>(&mut self, names: impl Iterator<Item = &'n Name>) {
+        for name in names.take(self.limit) {
+            self.announced.entry(name.text.clone()).or_insert(name.span);
+        }
+    }
+
+    /// The finding for a name that has no meaning here; `hint` is for one that is declared nowhere.
+    pub fn unknown_name(&self, name: &Name, hint: Option<String>) -> Diagnostic {
+        let stem = name.text.rsplit_once('_').map(|(stem, _)| stem);
+        let place = |text: &str| self.layers().find_map(|scope| scope.announced.get(text));
+        match place(&name.text).or_else(|| stem.filter(|stem| self.meaning(stem).is_none()).and_then(place)) {
+            Some(place) => Diagnostic::new(Code::UnknownName, format!("`{}` is used before it is declared", name.text))
+                .at(name.span)
+                .label(*place, "declared here")
+                .hint("move the declaration up; params are read first, and may use earlier params only"),
+            None => hint.into_iter().fold(self.undeclared(name), Diagnostic::hint),
+        }
+    }
+
     /// The finding for a name that nothing declares, with the closest declared names.
-    pub fn unknown_name(&self, name: &Name) -> Diagnostic {
+    fn undeclared(&self, name: &Name) -> Diagnostic {
         let text = &name.text;
         let finding = Diagnostic::new(Code::UnknownName, format!("unknown name `{text}`")).at(name.span);
         if text.len() > COMPARED_BYTES {
@@ -229,15 +253,18 @@ impl<'a> Scope<'a> {
         }
     }
 
-    /// `kv` as `k*v`, `sinv` as `sin(v)`, when all parts are known.
+    /// `kv` as `k*v`, `sinv` as `sin(v)`, `cos3v` as `cos(3*v)`, when all parts are known.
     fn as_product(&self, text: &str) -> Option<String> {
         let is_known = |name: &str| self.entry(name).is_some();
         for function in Function::ALL {
-            if let Some(argument) = text.strip_prefix(function.row().name)
-                && is_known(argument)
-            {
-                return Some(format!("{}({argument})", function.row().name));
+            let Some(argument) = text.strip_prefix(function.row().name) else { continue };
+            let factor = argument.trim_start_matches(|c: char| c.is_ascii_digit());
+            if !is_known(factor) {
+                continue;
             }
+            let (name, number) = (function.row().name, argument.strip_suffix(factor).unwrap_or_default());
+            let product = if number.is_empty() { "" } else { "*" };
+            return Some(format!("{name}({number}{product}{factor})"));
         }
         (1..text.len())
             .filter_map(|at| text.split_at_checked(at))

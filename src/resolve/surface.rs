@@ -176,7 +176,7 @@ impl Lowering<'_> {
         let Some((surface, component)) = self.surface(&partial.surface.text) else {
             let name = &partial.surface;
             return Err(match self.scope.meaning(&name.text) {
-                None => self.scope.unknown_name(name),
+                None => self.scope.unknown_name(name, None),
                 Some(_) => Diagnostic::new(Code::UnknownName, format!("`{}` is not a surface", name.text))
                     .at(name.span)
                     .hint("derivatives are taken of `S` and of what `surface` declares"),

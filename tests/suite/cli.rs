@@ -185,6 +185,34 @@ fn colours_appear_only_when_asked_for() {
 }
 
 #[test]
+fn derivative_asked_for_twice_is_wrong_usage() {
+    let output =
+        trimline_reading("u,v\n0,0\n", &["eval", &example("eq19.trim"), "--points", "-", "--derivatives", "uv,u,vu"]);
+    assert_eq!(status(&output), 2);
+    assert!(text(&output.stderr).contains("`uv` is asked for twice"), "{}", text(&output.stderr));
+}
+
+/// abs has no second derivative, so `fourier` is chosen, and its series leaves nothing out at t = 0 but much at t = 1.
+#[test]
+fn warning_of_a_later_instant_is_given_once() {
+    let spec = "at u = 0: S = [cos v, sin v, t abs(sin v)], ∂S/∂u = [0, 0, 1]\n\
+                at u = 1: S = [cos v, sin v, 2], ∂S/∂u = [0, 0, 1]\nsolve fourier, modes = 8";
+    let errors = text(&trimline_reading(spec, &["check", "-"]).stderr);
+    assert_eq!(errors.matches("W0414").count(), 1, "{errors}");
+    let errors = text(&trimline_reading(spec, &["check", "-", "--time", "0"]).stderr);
+    assert_eq!(errors.matches("W0414").count(), 0, "{errors}");
+}
+
+#[test]
+fn coefficients_stand_in_columns_and_only_zeros_read_0() {
+    let spec = "at u = 0: S = [1e-9 sin v, -25 sin v, 0], ∂S/∂u = 0\nat u = 1: S = [sin v, 0, 0], ∂S/∂u = 0";
+    let solution = done(&trimline_reading(spec, &["solve", "-"]));
+    let first =
+        solution.lines().find(|line| line.trim_start().starts_with("b ")).unwrap_or_else(|| panic!("{solution}"));
+    assert_eq!(first, "  b        1.000000e-9    -25.000000       0", "{solution}");
+}
+
+#[test]
 fn points_evaluate_at_the_constraints_themselves_on_the_boundary() {
     let output = trimline_reading(
         "name,u,v,t\na,0,0,0.1\nb,1,0,0.2\n",

@@ -10,7 +10,7 @@ use trimline::problem::{Explanation, Patch, describe_condition};
 use trimline::verify::{JoinDeviation, Verification, verify_joins};
 
 use crate::Outcome;
-use crate::failure::{Failure, print_warnings};
+use crate::failure::{Failure, Said, print_warnings};
 use crate::joins::{self, JoinReport};
 use crate::options::{Collocation, Format, Solving, Terminal};
 use crate::output;
@@ -173,14 +173,13 @@ fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Check
         let mut method = "";
         let mut amplification: Option<f64> = None;
         let mut largest_residual = (0.0, times.first().copied().unwrap_or_default());
-        for (index, &time) in times.iter().enumerate() {
+        let mut said = Said::default();
+        for &time in &times {
             let solved = spec.solve(patched, time)?;
             method = solved.solution.report.method;
             let here = solved.solution.report.amplification;
             amplification = here.into_iter().chain(amplification).reduce(f64::max);
-            if index == 0 {
-                print_warnings(&solved.solution.report.warnings, &spec.source, terminal);
-            }
+            print_warnings(&said.news(solved.solution.report.warnings), &spec.source, terminal);
             if solved.measured.relative_residual() > largest_residual.0 {
                 largest_residual = (solved.measured.relative_residual(), time);
             }

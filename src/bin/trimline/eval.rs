@@ -11,7 +11,7 @@ use trimline::method::Size;
 use trimline::problem::COMPONENTS;
 
 use crate::Outcome;
-use crate::failure::{Failure, print_warnings};
+use crate::failure::{Failure, Said, print_warnings};
 use crate::options::{Solving, Terminal};
 use crate::output;
 use crate::workflow::{Patched, Spec};
@@ -96,7 +96,13 @@ fn read_derivatives(names: &[String], highest: usize) -> Result<Vec<Derivative>,
         }
         _ => Err(Failure::Usage(format!("`{name}` is not a derivative: write letters u, v and t, for example uuv"))),
     };
-    names.iter().map(read).collect()
+    let derivatives: Vec<Derivative> = names.iter().map(read).collect::<Result<_, Failure>>()?;
+    for (index, derivative) in derivatives.iter().enumerate() {
+        if derivatives.iter().take(index).any(|earlier| earlier == derivative) {
+            return Err(Failure::Usage(format!("the derivative `{derivative}` is asked for twice")));
+        }
+    }
+    Ok(derivatives)
 }
 
 fn read_table(file: &str, time: Option<f64>, patched: &[Patched], allowed: usize) -> Result<Table, Failure> {
@@ -185,13 +191,11 @@ fn evaluate(
     for (index, (patch, [_, _, t])) in table.patches.iter().zip(points).enumerate() {
         instants.entry((*patch, (t + 0.0).to_bits())).or_default().push(index);
     }
-    let mut last_patch = None;
+    let mut said = vec![Said::default(); patched.len()];
     for ((patch, bits), indices) in &instants {
-        let Some(patched) = patched.get(*patch) else { continue };
+        let Some((patched, said)) = patched.get(*patch).zip(said.get_mut(*patch)) else { continue };
         let solved = spec.solve(patched, f64::from_bits(*bits))?;
-        if last_patch.replace(patch) != Some(patch) {
-            print_warnings(&solved.solution.report.warnings, &spec.source, terminal);
-        }
+        print_warnings(&said.news(solved.solution.report.warnings), &spec.source, terminal);
         let here: Vec<[f64; 3]> =
             indices.iter().filter_map(|&index| points.get(index)).map(|[u, v, t]| [*u, *v, t + 0.0]).collect();
         let mut values = vec![[0.0; 3]; here.len()];

@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 
-use trimline::diagnostic::{Class, Diagnostic, Diagnostics, Severity, Source, Span};
+use trimline::diagnostic::{Class, Code, Diagnostic, Diagnostics, Severity, Source, Span};
 
 use crate::options::{Color, Terminal};
 
@@ -64,6 +64,27 @@ impl Failure {
             Failure::Usage(message) | Failure::Machine(message) => say(&format!("error: {message}")),
             Failure::NotPassed | Failure::Closed => {}
         }
+    }
+}
+
+/// What was said about one patch at some of its instants.
+#[derive(Clone, Default)]
+pub struct Said {
+    findings: Vec<(Code, Option<Span>)>,
+}
+
+impl Said {
+    /// The warnings that no earlier instant gave: of one code at one place only the numbers differ.
+    pub fn news(&mut self, warnings: Diagnostics) -> Diagnostics {
+        let mut news = Diagnostics::new();
+        for warning in warnings {
+            let finding = (warning.code, warning.span);
+            if !self.findings.contains(&finding) {
+                self.findings.push(finding);
+                news.push(warning);
+            }
+        }
+        news
     }
 }
 

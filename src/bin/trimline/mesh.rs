@@ -8,7 +8,7 @@ use trimline::export::{ExportError, Format, write, write_frames, write_pvd};
 use trimline::tessellate::Scene;
 
 use crate::Outcome;
-use crate::failure::{Failure, print_warnings, say};
+use crate::failure::{Failure, Said, print_warnings, say};
 use crate::options::Terminal;
 use crate::output::Files;
 use crate::scenes::{Meshing, Progress, Quantity, Scenes};
@@ -96,14 +96,13 @@ fn file_each(
     let mut files = Files::default();
     let mut last = Scene::default();
     let mut series = Vec::new();
+    let (mut said, mut said_of_files) = (Vec::new(), Said::default());
     for (index, &time) in times.iter().enumerate() {
-        let (scene, warnings) = scenes.at(time)?;
+        let (scene, warnings) = scenes.at(time, &mut said)?;
         let path = path_of(index);
         let notes = write(&scene, format, files.create(&path)?).map_err(failed)?;
-        if index == 0 {
-            print_warnings(&warnings, &scenes.spec.source, terminal);
-            print_warnings(&notes, &scenes.spec.source, terminal);
-        }
+        print_warnings(&warnings, &scenes.spec.source, terminal);
+        print_warnings(&said_of_files.news(notes), &scenes.spec.source, terminal);
         series.push((time, path.file_name().unwrap_or_default().to_string_lossy().into_owned()));
         last = scene;
         progress.advance();

@@ -12,7 +12,7 @@ use trimline::surface::{Surface, SymbolicSurface};
 use trimline::tessellate::{Field, Grid, Mesh, Role, Scene, curvatures, instants, tessellate};
 use trimline::verify::residuals;
 
-use crate::failure::{Failure, print_warnings};
+use crate::failure::{Failure, Said, print_warnings};
 use crate::options::{Collocation, Solving, Terminal, option_finding, read_grid};
 use crate::workflow::{Patched, Spec};
 
@@ -86,11 +86,12 @@ impl Scenes {
         }
     }
 
-    /// What is to be seen at one instant, and what is to be said about it.
-    pub fn at(&self, time: f64) -> Result<(Scene, Vec<Diagnostic>), Failure> {
+    /// What is to be seen at one instant, and what is to be said about it that was not said of earlier ones.
+    pub fn at(&self, time: f64, said: &mut Vec<Said>) -> Result<(Scene, Vec<Diagnostic>), Failure> {
         let mut scene = Scene { meshes: Vec::new(), time };
         let mut warnings = Vec::new();
-        for patch in &self.patched {
+        said.resize_with(self.patched.len(), Said::default);
+        for (patch, said) in self.patched.iter().zip(said) {
             let solution = self.spec.solve(patch, time)?.solution;
             let ranges = (patch.prepared.domain.u, patch.prepared.domain.v);
             let name = &patch.prepared.patch().name;
@@ -98,8 +99,8 @@ impl Scenes {
                 .map_err(|finding| self.spec.fault(finding))?;
             mesh.fields = self.fields(patch, &solution, &mesh, time).map_err(|finding| self.spec.fault(finding))?;
             scene.meshes.push(mesh);
-            warnings.extend(solution.report.warnings);
-            warnings.extend(notes);
+            warnings.extend(said.news(solution.report.warnings));
+            warnings.extend(said.news(notes));
         }
         if self.with_surfaces {
             self.add_surfaces(&mut scene)?;
@@ -136,27 +137,28 @@ impl Scenes {
         Ok(fields)
     }
 
-    /// All instants with one topology, for an animation; says what is to be said about the first.
+    /// All instants with one topology, for an animation; says what is to be said about them.
     pub fn all(&mut self, times: &[f64], terminal: &Terminal) -> Result<Vec<Scene>, Failure> {
-        let frames = self.frames(times, terminal)?;
+        let mut said = Vec::new();
+        let frames = self.frames(times, &mut said, terminal)?;
         let closes = |scene: &Scene| scene.meshes.iter().map(|mesh| mesh.is_closed_in_v).collect::<Vec<_>>();
         if frames.windows(2).all(|pair| matches!(pair, [a, b] if closes(a) == closes(b))) {
             return Ok(frames);
         }
         // A patch that closes on itself at some instants only is left open at all.
         self.grid = self.grid.with_open_seams();
-        self.frames(times, terminal)
+        self.frames(times, &mut said, terminal)
     }
 
-    fn frames(&self, times: &[f64], terminal: &Terminal) -> Result<Vec<Scene>, Failure> {
+    fn frames(&self, times: &[f64], said: &mut Vec<Said>, terminal: &Terminal) -> Result<Vec<Scene>, Failure> {
         let progress = Progress::new(times.len(), terminal);
         let mut frames = Vec::with_capacity(times.len());
         for &time in times {
-            let (scene, warnings) = self.at(time)?;
+            let (scene, warnings) = self.at(time, said)?;
             if frames.is_empty() {
                 self.check_size(&scene, times.len())?;
-                print_warnings(&warnings, &self.spec.source, terminal);
             }
+            print_warnings(&warnings, &self.spec.source, terminal);
             frames.push(scene);
             progress.advance();
         }

@@ -184,14 +184,27 @@ fn write_text(text: &mut String, solution: &PatchSolution, patched: &Patched) {
     for (index, function) in solution.coefficients.iter().enumerate() {
         let _ = writeln!(text, "\nF{} = {}", index + 1, function.basis);
         for (condition, vector) in function.boundary.iter().enumerate() {
-            let _ = writeln!(text, "  {:4} {}", patched.prepared.decomposition.symbol(condition), vector_text(vector));
+            let symbol = patched.prepared.decomposition.symbol(condition);
+            // A bar above a letter is a character without width.
+            let width = 4 + symbol.chars().filter(|c| ('\u{300}'..='\u{36f}').contains(c)).count();
+            let _ = writeln!(text, "  {symbol:width$} {}", columns(vector));
         }
         for (term, vector) in function.terms.iter().enumerate() {
-            let _ = writeln!(text, "  P{:<3} {}", term + 1, vector_text(vector));
+            let _ = writeln!(text, "  P{:<3} {}", term + 1, columns(vector));
         }
     }
 }
 
-fn vector_text([x, y, z]: &[f64; 3]) -> String {
-    format!("[{x}, {y}, {z}]")
+/// x, y and z in columns of one width, points below points; JSON has all digits.
+fn columns(vector: &[f64; 3]) -> String {
+    vector.map(number).concat().trim_end().to_owned()
+}
+
+/// Six decimals, in 15 places, with a power of ten where few digits would be left. Only what is exactly zero reads `0`.
+fn number(value: f64) -> String {
+    match value.abs() {
+        0.0 => format!("{:>7}{:8}", 0, ""),
+        1e-3..1e5 => format!("{value:>14.6} "),
+        _ => format!("{value:>15.6e}"),
+    }
 }
