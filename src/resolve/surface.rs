@@ -177,6 +177,13 @@ impl Lowering<'_> {
             let name = &partial.surface;
             return Err(match self.scope.meaning(&name.text) {
                 None => self.scope.unknown_name(name),
+                Some(Meaning::Function(..)) => {
+                    let text = &name.text;
+                    let finding = Diagnostic::new(Code::UnknownName, format!("`{text}` is not a surface"));
+                    finding
+                        .at(name.span)
+                        .hint(format!("declare one first: `surface A(p, q) = {text}(p, q, …)`, then write `∂A(…)/∂p`"))
+                }
                 Some(_) => Diagnostic::new(Code::UnknownName, format!("`{}` is not a surface", name.text))
                     .at(name.span)
                     .hint("derivatives are taken of `S` and of what `surface` declares"),
