@@ -64,7 +64,7 @@ impl Decomposition {
                 line(&mut text, format_args!("  none"));
             }
         }
-        line(&mut text, format_args!("\nderivatives the equation needs, where not zero"));
+        line(&mut text, format_args!("\nderivatives the equation names, where not zero"));
         for (index, function) in self.basis.iter().enumerate() {
             for (orders, expr) in &function.derivatives {
                 if !self.graph.is_zero(*expr) {

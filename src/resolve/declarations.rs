@@ -3,7 +3,7 @@
 use super::reading::Reading;
 use super::scope::{Meaning, Scope, Value};
 use super::surface;
-use crate::expr::ExprId;
+use crate::expr::{ExprId, Variable};
 use crate::problem::{Parameter, ParameterKind};
 use crate::syntax::ast::{self, DefinitionKind};
 
@@ -73,7 +73,14 @@ pub fn meaning(definition: &ast::Definition, scope: &Scope<'_>, reading: &mut Re
         // A space cannot occur in a name, so an argument never meets a param.
         let symbol = reading.graph.symbol(&format!("{} of {}", formal.text, definition.name.text));
         let is_declared = local.declare(formal, Meaning::Value(Value::Scalar(symbol)));
-        reading.keep(is_declared);
+        let is_coordinate = Variable::ALL.iter().any(|variable| variable.name() == formal.text);
+        reading.keep(is_declared.map_err(|finding| {
+            let (coordinate, name) = (&formal.text, &definition.name.text);
+            match is_coordinate {
+                true => finding.hint(format!("{coordinate} is known in every `let`: write `let {name} = …`")),
+                false => finding,
+            }
+        }));
         formals.push(symbol);
     }
     let value = reading.lowering(&local).value(definition.value);

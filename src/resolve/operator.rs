@@ -129,7 +129,13 @@ impl Lowering<'_> {
     pub(super) fn raise_operator(&mut self, operator: &Form, power: ExprId, span: Span) -> Result<Form, Diagnostic> {
         let times = self.graph.as_number(power).and_then(|number| number.as_integer());
         let Some(times) = times.and_then(|times| usize::try_from(times).ok()).filter(|times| *times > 0) else {
-            return Err(not_linear("the power of an operator must be a whole number, 1 or more", span));
+            let message = "the power of an operator must be a whole number, 1 or more";
+            if self.graph.as_number(power).is_some() {
+                return Err(not_linear(message, span));
+            }
+            // The order of the equation fixes how many constraints there are, so no slider may change it.
+            let finding = Diagnostic::new(Code::NotLinear, format!("{message}, and not a param"));
+            return Err(finding.at(span).hint("write the number itself: `(…)^2 S`"));
         };
         if times > self.limits.derivative_order {
             let limit = self.limits.derivative_order;

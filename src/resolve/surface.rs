@@ -176,6 +176,13 @@ impl Lowering<'_> {
         let Some((surface, component)) = self.surface(&partial.surface.text) else {
             let name = &partial.surface;
             return Err(match self.scope.meaning(&name.text) {
+                Some(Meaning::Function(..)) => {
+                    let text = &name.text;
+                    let finding = Diagnostic::new(Code::UnknownName, format!("`{text}` is not a surface"));
+                    finding
+                        .at(name.span)
+                        .hint(format!("declare one first: `surface A(p, q) = {text}(p, q, …)`, then write `∂A(…)/∂p`"))
+                }
                 None => self.scope.unknown_name(name, None),
                 Some(_) => Diagnostic::new(Code::UnknownName, format!("`{}` is not a surface", name.text))
                     .at(name.span)

@@ -181,7 +181,14 @@ impl Builder<'_> {
             Rule::pi => Kind::Name(Name { text: "pi".to_owned(), span: whole }),
             Rule::derivative => Kind::Unknown(self.derivative(pair)?),
             Rule::differential => Kind::Operator(self.derivative(pair)?.derivative),
-            Rule::unknown => Kind::Unknown(self.unknown(&pair)),
+            Rule::sought => {
+                let mut parts = pair.into_inner();
+                let unknown = self.unknown(&parts.next().ok_or_else(internal)?);
+                if let Some(coordinates) = parts.next() {
+                    self.coordinates(&coordinates)?;
+                }
+                Kind::Unknown(Unknown { span: whole, ..unknown })
+            }
             Rule::partial => self.partial(pair)?,
             Rule::application => {
                 let mut parts = pair.into_inner();
@@ -291,6 +298,8 @@ impl Builder<'_> {
             "½" => "0.5",
             "¼" => "0.25",
             "¾" => "0.75",
+            // The zero vector as papers print it.
+            "𝟎" => "0",
             digits => digits,
         };
         let value = Number::parse(digits).ok_or_else(|| {
@@ -359,7 +368,7 @@ impl Builder<'_> {
         }
         Err(Diagnostic::new(Code::UnexpectedText, "the surface is written `S`, `S(u, v)` or `S(u, v, t)`")
             .at(self.span(pair))
-            .hint("where it is taken is said by `at u = …:`"))
+            .hint("where it is taken is said by `at u = …:`; a factor stands before it"))
     }
 }
 

@@ -49,7 +49,7 @@ pub fn parse(source: &Source, limits: &Limits) -> Result<Document, Diagnostics> 
     let mut found = Diagnostics::new();
     let mut in_patch = false;
     for &line in &prepared.lines {
-        if let Err(finding) = add_line(&mut document, &prepared, line, &mut in_patch) {
+        if let Err(finding) = add_line(&mut document, &prepared, line, &mut in_patch, !found.is_empty()) {
             found.push(finding);
             // A block whose first line is faulty is still a block.
             in_patch |= open_block(&mut document, &prepared, line);
@@ -61,12 +61,18 @@ pub fn parse(source: &Source, limits: &Limits) -> Result<Document, Diagnostics> 
     if found.is_empty() { Ok(document) } else { Err(found) }
 }
 
-fn add_line(document: &mut Document, prepared: &Prepared, line: Span, in_patch: &mut bool) -> Result<(), Diagnostic> {
+fn add_line(
+    document: &mut Document,
+    prepared: &Prepared,
+    line: Span,
+    in_patch: &mut bool,
+    is_faulty: bool,
+) -> Result<(), Diagnostic> {
     let mut brackets = Brackets::read(prepared, line, &mut document.tree)?;
     let text = brackets::outermost(prepared, line);
     let pair = parser::line(&text, line.start).map_err(|finding| prepared.places.moved(finding))?;
     let mut builder = Builder::new(prepared, line.start, &mut document.tree, &mut brackets);
-    builder.statement(pair)?.add_to(document, in_patch)
+    builder.statement(pair)?.add_to(document, in_patch, is_faulty)
 }
 
 /// Opens a block without a name if `line` is the first of one.

@@ -6,10 +6,15 @@ use pest::iterators::Pair;
 
 use super::bars::{BAR_CLOSES, BAR_OPENS};
 use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::expr::greek_named;
 
 #[derive(pest_derive::Parser)]
 #[grammar = "../grammar/trimline.pest"]
 struct Grammar;
+
+/// What a subscript of S means.
+const SUBSCRIPTS: &str =
+    "the components are `S_x`, `S_y`, `S_z`; derivatives are written `∂S/∂u`, `∂²S/∂u²` or `d2S/du2`";
 
 /// A parsed piece of text.
 pub type Parsed<'a> = Pair<'a, Rule>;
@@ -90,6 +95,7 @@ fn words(rule: Rule) -> Option<&'static str> {
         | Rule::exponent
         | Rule::bare_factor
         | Rule::unknown
+        | Rule::sought
         | Rule::derivative
         | Rule::partial
         | Rule::differential
@@ -136,12 +142,48 @@ fn words(rule: Rule) -> Option<&'static str> {
     })
 }
 
+/// The name in `join cylinder(…)`, if `before` ends behind it and `rest` begins with its bracket.
+fn joined_call<'a>(before: &'a str, rest: &str) -> Option<&'a str> {
+    let (start, name) = before.rsplit_once(' ')?;
+    (rest.starts_with('(') && start.trim_end().ends_with("join")).then_some(name)
+}
+
+/// Advice for LaTeX outside a block.
+fn latex_advice(rest: &str) -> Option<String> {
+    if rest.starts_with('$') {
+        return Some("LaTeX stands between two dollars on each side: `$$ … $$`".to_owned());
+    }
+    let command = rest.strip_prefix('\\')?;
+    let end = command.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(command.len());
+    let name = command.get(..end)?;
+    Some(match greek_named(name) {
+        Some(letter) => format!("write `{name}` or `{letter}`; LaTeX stands between `$$ … $$`"),
+        None => r"LaTeX stands between `$$ … $$`, `\[ … \]` or `\begin{equation} … \end{equation}`".to_owned(),
+    })
+}
+
 /// Advice for mistakes that people make.
 fn advice(text: &str, at: usize) -> Option<String> {
     let rest = text.get(at..)?;
     let before = text.get(..at)?.trim_end();
     if rest.starts_with("==") || (rest.starts_with('=') && before.ends_with('=')) {
         return Some("write a single `=`".to_owned());
+    }
+    if let Some(hint) = latex_advice(rest) {
+        return Some(hint);
+    }
+    if rest.starts_with('∇') {
+        return Some("write it out: `∇²` is `∂²/∂u² + ∂²/∂v²`, `∇⁴ S` is `(∂²/∂u² + ∂²/∂v²)² S`".to_owned());
+    }
+    if rest.starts_with("S_") || before.ends_with("S_") || before.ends_with("S_{") {
+        return Some(SUBSCRIPTS.to_owned());
+    }
+    if let Some(name) = joined_call(before, rest) {
+        return Some(format!("declare it first: `surface A(p, q) = {name}(p, q, …)`, then `join A at …`"));
+    }
+    let states_equation = text.contains('=') && !super::preflight::starts_statement(text);
+    if states_equation && (text.starts_with('(') || (text.contains('∂') && rest.starts_with(['+', '-', '−']))) {
+        return Some("an equation begins with `pde`: write it before the equation, or before its LaTeX".to_owned());
     }
     if rest.starts_with('∂') || before.ends_with('∂') {
         return Some("a derivative is written `∂²S/∂u²` or `∂⁴S/∂u²∂v²`, an operator `∂²/∂u²`".to_owned());

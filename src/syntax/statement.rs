@@ -34,8 +34,9 @@ pub enum Statement {
 }
 
 impl Statement {
-    /// Adds the statement to `document`: to its last patch while `in_patch`, which blocks open and close.
-    pub fn add_to(self, document: &mut Document, in_patch: &mut bool) -> Result<(), Diagnostic> {
+    /// Adds the statement to `document`: to its last patch while `in_patch`, which blocks open and close. After a
+    /// fault, `is_faulty`, constraints outside a block go nowhere: the block may begin in what could not be read.
+    pub fn add_to(self, document: &mut Document, in_patch: &mut bool, is_faulty: bool) -> Result<(), Diagnostic> {
         let section = match document.patches.last_mut() {
             Some(block) if *in_patch => &mut block.statements,
             _ => &mut document.shared,
@@ -63,6 +64,7 @@ impl Statement {
                     boundary.constraints.single.extend(constraints.single);
                     boundary.constraints.joins.extend(constraints.joins);
                 }
+                None if is_faulty => {}
                 None => {
                     let first = constraints.single.first().map(|constraint| constraint.span);
                     let first = first.or(constraints.joins.first().map(|join| join.span));

@@ -270,3 +270,41 @@ fn examples_give_no_warnings() {
         assert_eq!(reviewed(&text), [""; 0], "{name}");
     }
 }
+
+/// The hints of the first finding.
+fn advice(text: &str) -> String {
+    let found = findings(text);
+    found.first().map(|first| first.hints.join("\n")).unwrap_or_default()
+}
+
+const ENDS: &str = "\nat u = 0: S = [cos v, sin v, 0], ∂S/∂u = 0\nat u = 1: S = 0, ∂S/∂u = 0";
+
+#[test]
+fn notation_of_papers_that_is_not_read_is_answered_with_what_is() {
+    for (line, expected) in [
+        ("$S = 0$", "`$$ … $$`"),
+        ("param \\alpha = 2", "write `alpha` or `α`"),
+        ("$$\\frac{\\partial^4 S}{\\partial u^4} + S = 0$$", "an equation begins with `pde`"),
+        ("$$\\left(\\frac{\\partial^2}{\\partial u^2} + 1\\right)^2 S = 0$$", "an equation begins with `pde`"),
+        ("at u = 0: S_u(0, v) = 0", "derivatives are written `∂S/∂u`"),
+        ("at u = 0: S = 0, S_u = 0", "derivatives are written `∂S/∂u`"),
+        ("$$\nu = 0\\\\\nS_u = 0\n$$", "derivatives are written `∂S/∂u`"),
+        ("pde ∇⁴ S = 0", "(∂²/∂u² + ∂²/∂v²)² S"),
+        ("pde $$\\nabla^4 S = 0$$", "\\frac{\\partial^2}{\\partial u^2}"),
+        ("pde $$\\partial_u^2 S = 0$$", "\\frac{\\partial^2}{\\partial u^2}"),
+        ("param A = 1\nlet φ(t) = A sin(2πt)", "t is known in every `let`: write `let phi = …`"),
+        ("at u = 0: join cylinder(u, v, 1, 2) at u = 1", "`surface A(p, q) = cylinder(p, q, …)`"),
+        ("at u = 0: S = ∂cylinder(u, v, 1, 2)/∂p", "`surface A(p, q) = cylinder(p, q, …)`"),
+        ("param n = 2\npde (∂²/∂u² + ∂²/∂v²)^n S = 0", "write the number itself"),
+        ("pde ∂⁴S/∂u⁴ + S(0, v) = 0", "where it is taken is said by `at u = …:`"),
+    ] {
+        let hints = advice(&format!("{line}{ENDS}"));
+        assert!(hints.contains(expected), "{line}: {hints}");
+    }
+}
+
+#[test]
+fn constraint_after_a_line_that_cannot_be_read_is_not_said_to_stand_outside() {
+    let found = findings("S(0, v) = [cos v, sin v, 0]\n∂S/∂u = 0");
+    assert_eq!(found.len(), 1, "{}", words(&found[0]));
+}

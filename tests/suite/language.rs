@@ -448,3 +448,22 @@ fn numbers_are_exact_until_they_leave_128_bits() {
     same(".5", "1/2");
     same("1.", "1");
 }
+
+/// The terms of `pde equation`.
+fn equation_terms(equation: &str) -> Vec<(Derivative, [String; 3])> {
+    terms_of(&format!("pde {equation}\n{BOUNDARY}"))
+}
+
+#[test]
+fn unknown_with_its_plain_coordinates_is_the_unknown() {
+    let expected = equation_terms("(∂²/∂u² + ∂²/∂v²)² S = 0");
+    for written in ["S(u, v)", "S(u, v, t)", "S (u, v)"] {
+        assert_eq!(equation_terms(&format!("(∂²/∂u² + ∂²/∂v²)² {written} = 0")), expected, "{written}");
+    }
+    assert_eq!(equation_terms("∂⁴S/∂u⁴ + 3 S(u, v) = 0"), equation_terms("∂⁴S/∂u⁴ + 3 S = 0"));
+}
+
+#[test]
+fn bold_zero_is_zero() {
+    assert_eq!(equation_terms("∂⁴S/∂u⁴ + S = 𝟎"), equation_terms("∂⁴S/∂u⁴ + S = 0"));
+}

@@ -361,3 +361,16 @@ fn every_prefix_of_a_printed_block_is_answered() {
         }
     }
 }
+
+const ENDS: &str = "\nat u = 0: S = [cos v, sin v, 0], ∂S/∂u = 0\nat u = 1: S = 0, ∂S/∂u = 0";
+
+#[test]
+fn unknown_with_its_coordinates_and_a_bold_zero_are_read_in_every_environment() {
+    let operator = r"\left(\frac{\partial^2}{\partial u^2} + \frac{\partial^2}{\partial v^2}\right)^2 \mathbf{S}(u,v) = \mathbf{0}";
+    let expected = basis(&format!("pde (∂²/∂u² + ∂²/∂v²)² S = 0{ENDS}"));
+    let environments = ["equation", "equation*", "gather", "gather*", "align", "align*", "multline", "multline*"];
+    for name in environments.into_iter().chain(["flalign", "flalign*", "eqnarray", "eqnarray*"]) {
+        let pasted = format!("pde\n\\begin{{{name}}}\n{operator}\n\\end{{{name}}}{ENDS}");
+        assert_eq!(basis(&pasted), expected, "{name}");
+    }
+}

@@ -13,7 +13,7 @@ use crate::Outcome;
 use crate::failure::{Failure, Said, print_warnings};
 use crate::joins::{self, JoinReport};
 use crate::options::{Collocation, Format, Solving, Terminal};
-use crate::output;
+use crate::output::{self, rounded};
 use crate::seams::{self, SeamReport};
 use crate::workflow::{Patched, Spec, common_times};
 
@@ -297,7 +297,7 @@ fn text(report: &Report) -> String {
         let _ = writeln!(text, "patch {}: method {}, {when}", patch.name, patch.method);
         for boundary in &patch.boundaries {
             let what = describe_condition(None, boundary.order, boundary.u);
-            let _ = writeln!(text, "  {what:20} largest error {:.1e}", boundary.max_error);
+            let _ = writeln!(text, "  {what:20} largest error {}", rounded(boundary.max_error));
         }
         for join in &patch.joins {
             let _ = writeln!(text, "  {:20} {}", format!("{} at u = {}", join.surface, join.u), join_text(join));
@@ -306,14 +306,14 @@ fn text(report: &Report) -> String {
     }
     for SeamReport { between: [a, b], gap, angle_degrees, .. } in &report.seams {
         let places = format!("{} at u = {} with {} at u = {}", a.patch, a.u, b.patch, b.u);
-        let _ = writeln!(text, "seam {places}: gap {gap:.1e}, {}", angle_text(*angle_degrees));
+        let _ = writeln!(text, "seam {places}: gap {}, {}", rounded(*gap), angle_text(*angle_degrees));
     }
     let _ = writeln!(text, "{}", if report.passed { "passed" } else { "not passed" });
     text
 }
 
 fn residual_text(patch: &PatchReport) -> String {
-    let mut text = format!("{:.1e} of the largest term", patch.pde_residual);
+    let mut text = format!("{} of the largest term", rounded(patch.pde_residual));
     if patch.pde_residual > LARGE_RESIDUAL {
         let _ =
             write!(text, " at t = {}: the boundary is met, the equation is not solved there", patch.pde_residual_time);
@@ -322,12 +322,12 @@ fn residual_text(patch: &PatchReport) -> String {
 }
 
 fn join_text(join: &JoinReport) -> String {
-    let mut text = format!("gap {:.1e}, {}", join.gap, angle_text(join.angle_degrees));
+    let mut text = format!("gap {}, {}", rounded(join.gap), angle_text(join.angle_degrees));
     if let Some(tangent) = join.tangent {
-        let _ = write!(text, ", unit tangents {tangent:.1e} apart");
+        let _ = write!(text, ", unit tangents {} apart", rounded(tangent));
     }
     if let Some(curvature) = join.curvature {
-        let _ = write!(text, ", curvatures {curvature:.1e} apart");
+        let _ = write!(text, ", curvatures {} apart", rounded(curvature));
     }
     if join.without_normal > 0 {
         let _ = write!(text, "; {} points without a normal", join.without_normal);
@@ -336,5 +336,5 @@ fn join_text(join: &JoinReport) -> String {
 }
 
 fn angle_text(angle: Option<f64>) -> String {
-    angle.map_or_else(|| "no normals to compare".to_owned(), |angle| format!("angle {angle:.1e}°"))
+    angle.map_or_else(|| "no normals to compare".to_owned(), |angle| format!("angle {}°", rounded(angle)))
 }

@@ -40,8 +40,8 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
     let spec = Spec::read(&arguments.spec, &arguments.solving.reading)?;
     let [patch] = spec.patches.as_slice() else {
         let names: Vec<&str> = spec.patches.iter().map(|patch| patch.name.as_str()).collect();
-        let message = format!("one patch is emitted at a time: choose one of {} with --patch", names.join(", "));
-        return Err(Failure::Usage(message));
+        let message = "a file holds one patch: name it with --patch";
+        return Err(Failure::Usage(format!("{message}; patches: {}", names.join(", "))));
     };
     let patched = spec.prepare(patch, &arguments.solving, arguments.collocation.points.as_deref())?;
     let solved = spec.solve(&patched, patched.instant(arguments.solving.time)?)?;

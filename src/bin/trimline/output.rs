@@ -17,6 +17,16 @@ pub fn print(text: &str) -> Result<(), Failure> {
     }
 }
 
+/// A measured number for people: two digits, and an exponent only where it is shorter than the zeros.
+pub fn rounded(value: f64) -> String {
+    let scientific = format!("{value:.1e}");
+    match scientific.parse::<f64>() {
+        Ok(rounded) if rounded == 0.0 => "0".to_owned(),
+        Ok(rounded) if (1e-2..1e4).contains(&rounded.abs()) => rounded.to_string(),
+        _ => scientific,
+    }
+}
+
 /// Prints a value as JSON.
 pub fn print_json(value: &impl serde::Serialize) -> Result<(), Failure> {
     let text = serde_json::to_string_pretty(value).map_err(|error| Failure::Machine(error.to_string()))?;
@@ -68,5 +78,16 @@ impl Files {
                 .map_err(|error| Failure::Machine(format!("cannot write `{}`: {}", path.display(), error.error)))?;
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::rounded;
+
+    #[test]
+    fn rounded_number_has_an_exponent_only_where_it_helps() {
+        let shown = [13.04, 0.0, -0.0, 90.0, 0.0123, 12345.0, 1.26e-9, -0.5, f64::INFINITY].map(rounded);
+        assert_eq!(shown, ["13", "0", "0", "90", "0.012", "1.2e4", "1.3e-9", "-0.5", "inf"]);
     }
 }

@@ -10,7 +10,7 @@ use trimline::surface::SeparableSurface;
 use crate::Outcome;
 use crate::failure::{print_warnings, say};
 use crate::options::{Collocation, Format, Solving, Terminal};
-use crate::output;
+use crate::output::{self, rounded};
 use crate::workflow::{Patched, Solved, Spec};
 
 #[derive(Args)]
@@ -169,16 +169,16 @@ fn write_text(text: &mut String, solution: &PatchSolution, patched: &Patched) {
         None => format!("{functions}, {} terms each", solution.modes),
     };
     let _ = writeln!(text, "patch {name}: method {method}, {size}, {when}");
-    let _ = writeln!(text, "boundary error  {:.1e}", solution.boundary_error);
-    let _ = writeln!(text, "PDE residual    {:.1e} of the largest term", solution.pde_residual);
+    let _ = writeln!(text, "boundary error  {}", rounded(solution.boundary_error));
+    let _ = writeln!(text, "PDE residual    {} of the largest term", rounded(solution.pde_residual));
     if let Some(truncation) = solution.truncation {
-        let _ = writeln!(text, "series          leaves out {truncation:.1e}");
+        let _ = writeln!(text, "series          leaves out {}", rounded(truncation));
     }
     if let Some(amplification) = solution.amplification {
-        let _ = writeln!(text, "amplification   {amplification:.1e}");
+        let _ = writeln!(text, "amplification   {}", rounded(amplification));
     } else if solution.truncation.is_none() {
         let condition = solution.condition;
-        let condition = condition.map_or_else(|| "unbounded".to_owned(), |condition| format!("{condition:.1e}"));
+        let condition = condition.map_or_else(|| "unbounded".to_owned(), rounded);
         let _ = writeln!(text, "rank            {} of {}, condition {condition}", solution.rank, solution.unknowns);
     }
     for (index, function) in solution.coefficients.iter().enumerate() {

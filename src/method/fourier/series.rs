@@ -121,9 +121,11 @@ impl BoundaryData {
             if (first - last).abs() > SAME * size {
                 let (name, origin) = self.name(index);
                 let message = format!(
-                    "{name} is not periodic over the range of v: {} at v = {low} and {} at v = {high}",
+                    "{name} is not periodic over the range of v: {} at v = {} and {} at v = {}",
                     short(*first),
-                    short(*last)
+                    short(low),
+                    short(*last),
+                    short(high)
                 );
                 return Err(Diagnostic::new(Code::UnsupportedByMethod, message).at(origin));
             }

@@ -215,12 +215,17 @@ impl<'a> Block<'a> {
                 self.mark(" = ", token);
             }
             "^" => self.exponent(token)?,
+            "_" if self.previous.is_some_and(|before| before.is_command("partial") || before.is_symbol("∂")) => {
+                return Err(unsupported("a derivative with a subscript", token.span)
+                    .hint(r"write `\frac{\partial^2}{\partial u^2}`, or `\frac{\partial^2 S}{\partial u^2}`"));
+            }
             "_" | "'" | "′" => {
                 return Err(unsupported(&format!("a `{}` that follows no letter", token.text), token.span)
                     .hint("subscripts and primes come right after the letter: `b_{1}'`, and its power after them"));
             }
             "#" => return Err(unsupported("`#`", token.span).hint("in LaTeX comments begin with `%`")),
-            "$" | "\"" => return Err(unsupported(&format!("`{}`", token.text), token.span)),
+            "$" => return Err(unsupported("a single `$`", token.span).hint("`$$` ends what `$$` began")),
+            "\"" => return Err(unsupported(&format!("`{}`", token.text), token.span)),
             other => self.mark(other, token),
         }
         Ok(())

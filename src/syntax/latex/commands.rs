@@ -89,6 +89,9 @@ pub fn advice(name: &str) -> &'static str {
     match name {
         "bar" | "hat" | "tilde" | "dot" | "ddot" | "overline" => "give the name a subscript instead, such as `b_{1}`",
         "sum" | "prod" | "dots" | "ldots" | "cdots" => "write out each term",
+        "nabla" | "Delta" => {
+            r"write it out: `\nabla^4 S` is `\left(\frac{\partial^2}{\partial u^2} + \frac{\partial^2}{\partial v^2}\right)^2 S`"
+        }
         "int" => "integrals are not part of the language",
         "text" | "mbox" => "words are comments: write them after `%`",
         "pm" | "mp" => "write one equation for each sign",

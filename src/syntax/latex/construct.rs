@@ -105,9 +105,16 @@ impl<'a> Block<'a> {
         self.letter(&word, place)
     }
 
-    /// `\mathbf{S}`: a vector. Bold small letters are refused, since `\mathbf{b}` and `b` are mostly two things.
+    /// `\mathbf{S}`: a vector; `\mathbf{0}` is 0. Bold small letters are refused, since `\mathbf{b}` and `b` are mostly two things.
     pub(super) fn bold(&mut self, command: &Token<'a>) -> Result<(), Diagnostic> {
         let braces = self.take(TokenKind::Open);
+        if let Some(zero) = self.peek().filter(|next| next.kind == TokenKind::Number && next.text == "0") {
+            self.at = zero.span.end;
+            if braces.is_none() || self.take(TokenKind::Close).is_some() {
+                self.spelling.put("0", Span::new(command.span.start, self.at), Piece::Word);
+                return Ok(());
+            }
+        }
         let letter = self.take(TokenKind::Letter);
         let is_closed = braces.is_none() || letter.is_none() || self.take(TokenKind::Close).is_some();
         let place = Span::new(command.span.start, self.at);
@@ -345,7 +352,8 @@ impl<'a> Block<'a> {
     pub(super) fn begin(&mut self, command: &Token<'a>) -> Result<(), Diagnostic> {
         let (name, place) = self.environment(command)?;
         match name {
-            "aligned" | "align" | "align*" | "equation" | "equation*" | "split" | "gather" | "gather*" | "gathered" => {
+            "aligned" | "align" | "align*" | "equation" | "equation*" | "split" | "gather" | "gather*" | "gathered"
+            | "multline" | "multline*" | "flalign" | "flalign*" | "eqnarray" | "eqnarray*" => {
                 if !self.groups.is_outside() {
                     return Err(unsupported(&format!("`{name}` inside brackets"), place));
                 }
