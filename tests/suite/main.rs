@@ -13,6 +13,8 @@ mod choice;
 mod cli;
 #[cfg(feature = "cli")]
 mod cli_fit;
+#[cfg(feature = "cli")]
+mod cli_morph;
 mod decompositions;
 mod derivatives;
 mod diagnostics;
@@ -31,6 +33,7 @@ mod kernels;
 mod language;
 mod latex;
 mod meshes;
+mod morphs;
 mod net;
 mod operators;
 mod patches;
