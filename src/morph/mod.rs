@@ -173,7 +173,9 @@ impl<'a> Between<'a> {
 
     fn operator(&mut self, name: &str, [from, to]: [&PdeOperator; 2]) -> Result<PdeOperator, Diagnostic> {
         let unequal = || {
-            differing(name, "the equations differ").at(from.origin).hint("state the same `pde` in both, with the same coefficients")
+            differing(name, "the equations differ")
+                .at(from.origin)
+                .hint("state the same `pde` in both, with the same coefficients")
         };
         if from.terms.len() != to.terms.len() {
             return Err(unequal());
@@ -198,7 +200,8 @@ impl<'a> Between<'a> {
 
     fn conditions(&mut self, from: &Patch, to: &Patch) -> Result<Vec<BoundaryCondition>, Diagnostic> {
         let unequal = |index: usize| {
-            let origin = from.conditions.get(index).and_then(|condition| condition.origins.into_iter().flatten().next());
+            let origin =
+                from.conditions.get(index).and_then(|condition| condition.origins.into_iter().flatten().next());
             differing(&from.name, &format!("constraint number {} differs in its u or in its order", index + 1))
                 .at(origin)
                 .hint("state positions and derivatives at the same u in both")

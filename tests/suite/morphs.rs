@@ -52,7 +52,10 @@ fn glass_between_two_glasses_is_that_of_extended_precision_with_its_derivatives(
                 let found = at(&*solution.surface, letters, [row[0], row[1], 0.0]);
                 for (found, expected) in found.iter().zip(&row[2 + 3 * group..]) {
                     // A handful of rounded terms below 5.
-                    assert!((found - expected).abs() <= 1e-12 * (1.0 + expected.abs()), "{id} {letters} {row:?}: {found}");
+                    assert!(
+                        (found - expected).abs() <= 1e-12 * (1.0 + expected.abs()),
+                        "{id} {letters} {row:?}: {found}"
+                    );
                 }
             }
         }
@@ -69,8 +72,7 @@ fn shape_between_is_the_weighted_sum_of_both_shapes() {
         for j in 0..=17 {
             let point = [f64::from(i) / 10.0, std::f64::consts::TAU * f64::from(j) / 17.0, 0.0];
             for letters in ["", "u", "v", "uv"] {
-                let [found, a, b] =
-                    [&middle, &source, &target].map(|solution| at(&*solution.surface, letters, point));
+                let [found, a, b] = [&middle, &source, &target].map(|solution| at(&*solution.surface, letters, point));
                 for ((found, a), b) in found.iter().zip(a).zip(b) {
                     // Derivatives reach 50; rounding of some hundred terms.
                     assert!((found - (0.65 * a + 0.35 * b)).abs() <= 1e-11, "{letters} {point:?}");
@@ -103,8 +105,14 @@ fn force_is_interpolated_with_the_boundary() {
 
 #[test]
 fn examples_of_morphs_meet_their_boundary_with_the_remainder() {
-    let names =
-        ["p3_positions", "p3_flask", "p3_water_glass", "p3_wine_glass", "p3_water_glass_smooth", "p3_wine_glass_smooth"];
+    let names = [
+        "p3_positions",
+        "p3_flask",
+        "p3_water_glass",
+        "p3_wine_glass",
+        "p3_water_glass_smooth",
+        "p3_wine_glass_smooth",
+    ];
     for name in names {
         let blend = blend(problem(&example(name)));
         for index in 0..blend.patches.len() {

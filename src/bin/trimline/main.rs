@@ -52,7 +52,7 @@ Examples:
                                                blend.0000.obj to blend.0010.obj
   trimline render blend.trim -o blend.png --shade zebra
                                                a picture
-  trimline morph glass.trim goblet.trim -o morph.gif
+  trimline morph glass.trim goblet.trim -o morph.glb
                                                the shapes between two specs
   trimline fit blend.trim -o blend.step --tolerance 1e-6
                                                B-splines for CAD programs
@@ -81,7 +81,7 @@ enum Command {
     Mesh(mesh::Arguments),
     /// Draws a shaded picture, a sheet of pictures over time, or an animation: PNG or GIF.
     Render(render::Arguments),
-    /// Writes the shapes between two specs: meshes, pictures, points, and how far each is from the one before.
+    /// Writes the shapes between two specs: meshes, points, and how far each is from the one before.
     Morph(morph::Arguments),
     /// Writes B-splines for CAD programs: STEP, IGES or JSON by the file's extension.
     Fit(fit::Arguments),

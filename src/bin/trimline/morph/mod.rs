@@ -125,9 +125,7 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
     }
     match (chosen, &arguments.points) {
         (Some(surfaces), Some(points)) => table(arguments, &shapes, &surfaces, points),
-        (None, Some(_)) => {
-            Err(Failure::Usage("points lie on one surface: choose it with --frame or --at".to_owned()))
-        }
+        (None, Some(_)) => Err(Failure::Usage("points lie on one surface: choose it with --frame or --at".to_owned())),
         (Some(surfaces), None) => match &arguments.output {
             Some(path) => write(arguments, path, &shapes, &[surfaces], terminal),
             None => Err(Failure::Usage("say what to write of this frame: -o FILE, or --points FILE".to_owned())),
@@ -141,8 +139,10 @@ fn chosen(arguments: &Arguments, sequence: &Sequence, shapes: &mut Shapes<'_>) -
     if let Some(index) = arguments.frame {
         let last = sequence.steps() + 1;
         if index > last {
-            let finding =
-                Diagnostic::new(Code::SettingOutOfRange, format!("there is no frame {index}; the target is frame {last}"));
+            let finding = Diagnostic::new(
+                Code::SettingOutOfRange,
+                format!("there is no frame {index}; the target is frame {last}"),
+            );
             return Err(option_finding("frame", &index.to_string(), finding.hint("frame 0 is the source")));
         }
         return shapes.surfaces(sequence, index).map(Some);
@@ -245,13 +245,7 @@ fn table(arguments: &Arguments, shapes: &Shapes<'_>, surfaces: &Surfaces, points
 }
 
 /// Meshes of frames: one file, or a numbered one each.
-fn write(
-    arguments: &Arguments,
-    path: &Path,
-    shapes: &Shapes<'_>,
-    frames: &[Surfaces],
-    terminal: &Terminal,
-) -> Outcome {
+fn write(arguments: &Arguments, path: &Path, shapes: &Shapes<'_>, frames: &[Surfaces], terminal: &Terminal) -> Outcome {
     let format = format_of(path)?;
     let scenes = scenes(arguments, shapes, frames, terminal)?;
     let (written, notes) = if format.is_animated() {

@@ -142,8 +142,8 @@ impl<'a> Shapes<'a> {
         for (surface, patch) in surfaces.iter().zip(&self.patched) {
             let ranges = (patch.prepared.domain.u, patch.prepared.domain.v);
             let name = &patch.prepared.patch().name;
-            let (mesh, notes) = tessellate(name, &**surface, ranges, self.time, grid)
-                .map_err(|finding| self.spec.fault(finding))?;
+            let (mesh, notes) =
+                tessellate(name, &**surface, ranges, self.time, grid).map_err(|finding| self.spec.fault(finding))?;
             meshes.push(mesh);
             warnings.extend(notes);
         }
@@ -168,11 +168,15 @@ impl End {
             let report = solution.report;
             if kind != Kind::Boundary && report.method != SERIES {
                 let name = &patch.prepared.patch().name;
-                let message =
-                    format!("a morph by modes needs `{SERIES}`, and the patch `{name}` is solved by `{}`", report.method);
+                let message = format!(
+                    "a morph by modes needs `{SERIES}`, and the patch `{name}` is solved by `{}`",
+                    report.method
+                );
                 let origin = patch.prepared.patch().solve.origin;
                 let finding = Diagnostic::new(Code::UnsupportedByMethod, message).at(origin);
-                return Err(spec.fault(finding.hint(format!("write `solve {SERIES}` in both specs, or add --method {SERIES}"))));
+                return Err(
+                    spec.fault(finding.hint(format!("write `solve {SERIES}` in both specs, or add --method {SERIES}")))
+                );
             }
             modes = modes.max(report.modes);
             warnings.extend(report.warnings);
