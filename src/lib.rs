@@ -45,6 +45,7 @@ pub mod fit;
 pub mod kernels;
 pub mod limits;
 pub mod method;
+pub mod morph;
 pub mod multisided;
 pub mod net;
 pub mod numeric;

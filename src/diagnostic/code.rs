@@ -106,6 +106,7 @@ codes! {
     MissingEquationTerm = "E0217", Error, Source, "The equation has no derivative in u.";
     UnusedDeclaration = "W0218", Warning, Source, "A declaration is not used.";
     DegenerateBoundary = "W0219", Warning, Source, "A trimline is a point, or a tangent has no length.";
+    ShapesDiffer = "E0220", Error, Source, "Two shapes do not correspond, so that there is none between them.";
     NotDifferentiable = "E0301", Error, Source, "A derivative is needed of a function that has none.";
     DataNotFinite = "E0302", Error, Source, "Boundary data are not finite inside the domain.";
     PointOutsideDomain = "E0303", Error, Source, "A point or an instant lies outside the domain.";

@@ -11,22 +11,48 @@ impl Graph {
         let mut known = replacements.clone();
         for id in self.reachable(&[expr]) {
             if !known.contains_key(&id) {
-                let result = self.rebuild(id, &known);
+                let result = self.construct(self.node(id).clone(), &known);
                 known.insert(id, result);
             }
         }
         known.get(&expr).copied().unwrap_or(expr)
     }
 
-    fn rebuild(&mut self, id: ExprId, known: &FxHashMap<ExprId, ExprId>) -> ExprId {
+    /// A node of this graph's symbols, with each operand replaced by what is known of it.
+    fn construct(&mut self, node: Node, known: &FxHashMap<ExprId, ExprId>) -> ExprId {
         let of = |id: &ExprId| known.get(id).copied().unwrap_or(*id);
-        match self.node(id).clone() {
-            Node::Number(_) | Node::Constant(_) | Node::Symbol(_) | Node::Variable(_) => id,
+        match node {
+            Node::Number(number) => self.number(number),
+            Node::Constant(constant) => self.constant(constant),
+            Node::Symbol(symbol) => self.symbol_node(symbol),
+            Node::Variable(variable) => self.variable(variable),
             Node::Sum(terms) => self.sum(terms.iter().map(of).collect::<Vec<_>>()),
             Node::Product(factors) => self.product(factors.iter().map(of).collect::<Vec<_>>()),
             Node::Power(base, exponent) => self.power(of(&base), of(&exponent)),
             Node::Call(function, arguments) => self.call(function, &arguments.iter().map(of).collect::<Vec<_>>()),
         }
+    }
+
+    /// `expr` of another graph as an expression of this one, in canonical form.
+    ///
+    /// `known` holds what expressions of `other` become here: replacements, for symbols above all, and afterwards also
+    /// all parts of `expr`, so that several expressions share the work. Other symbols keep their names.
+    pub fn import(&mut self, other: &Graph, expr: ExprId, known: &mut FxHashMap<ExprId, ExprId>) -> ExprId {
+        let mut result = expr;
+        for id in other.reachable(&[expr]) {
+            result = match known.get(&id) {
+                Some(here) => *here,
+                None => {
+                    let here = match other.node(id) {
+                        Node::Symbol(symbol) => self.symbol(other.symbol_name(*symbol)),
+                        node => self.construct(node.clone(), known),
+                    };
+                    known.insert(id, here);
+                    here
+                }
+            };
+        }
+        result
     }
 
     /// The value of `expr` at one point, walked node by node: the plain definition that the compiled

@@ -12,7 +12,7 @@ const RANKS: &[(u8, &[&str])] = &[
     (1, &["expr", "numeric"]),
     (2, &["syntax", "problem", "eval", "trial"]),
     (3, &["resolve", "decompose", "surface", "multisided"]),
-    (4, &["method", "verify", "tessellate", "net", "fit"]),
+    (4, &["method", "verify", "tessellate", "net", "fit", "morph"]),
     (5, &["blend", "emit", "export", "render"]),
 ];
 

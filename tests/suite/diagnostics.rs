@@ -18,6 +18,7 @@ const ELSEWHERE: &[(Code, &str)] = &[
     (Code::NotFormatted, "a fault of `fmt` itself"),
     (Code::UnusedDeclaration, "`review`: below"),
     (Code::DegenerateBoundary, "`review`: below"),
+    (Code::ShapesDiffer, "tests of morphs, which take two texts"),
     (Code::PointOutsideDomain, "points and instants of the command line"),
     (Code::BadPoints, "tables of points of the command line"),
     (Code::SeamApart, "`check`, which solves the patches of a seam"),

@@ -13,6 +13,8 @@ mod choice;
 mod cli;
 #[cfg(feature = "cli")]
 mod cli_fit;
+#[cfg(feature = "cli")]
+mod cli_morph;
 mod decompositions;
 mod deformations;
 mod derivatives;
@@ -33,6 +35,7 @@ mod kernels;
 mod language;
 mod latex;
 mod meshes;
+mod morphs;
 mod multisided;
 mod net;
 mod operators;

@@ -39,11 +39,11 @@ pub struct Arguments {
 }
 
 /// The input: its header, its rows, and patch and point of each row.
-struct Table {
+pub struct Table {
     header: csv::StringRecord,
     rows: Vec<csv::StringRecord>,
-    patches: Vec<usize>,
-    points: Vec<[f64; 3]>,
+    pub patches: Vec<usize>,
+    pub points: Vec<[f64; 3]>,
 }
 
 pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
@@ -57,17 +57,23 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
         spec.patches.iter().map(|patch| spec.prepare(patch, &arguments.solving, grid)).collect::<Result<_, _>>()?;
     let table = read_table(file, arguments.solving.time, &patched, spec.limits.samples)?;
     let values = evaluate(&spec, &patched, &table, &derivatives, terminal)?;
-    let text = write_table(&table, &derivatives, &values)?;
-    match &arguments.output {
-        None => output::print(&text),
-        Some(path) => {
-            let mut files = output::Files::default();
-            let file = files.create(path)?;
-            std::io::Write::write_all(file, text.as_bytes())
-                .map_err(|error| Failure::Machine(format!("cannot write `{}`: {error}", path.display())))?;
-            files.keep()
-        }
-    }
+    print_table(&table, &derivatives, &values, arguments.output.as_deref())
+}
+
+/// Writes the table to `path`, or prints it.
+pub fn print_table(
+    table: &Table,
+    derivatives: &[Derivative],
+    values: &[Vec<[f64; 3]>],
+    path: Option<&std::path::Path>,
+) -> Outcome {
+    let text = write_table(table, derivatives, values)?;
+    let Some(path) = path else { return output::print(&text) };
+    let mut files = output::Files::default();
+    let file = files.create(path)?;
+    std::io::Write::write_all(file, text.as_bytes())
+        .map_err(|error| Failure::Machine(format!("cannot write `{}`: {error}", path.display())))?;
+    files.keep()
 }
 
 /// The file of points and the collocation grid, told apart by their form.
@@ -84,7 +90,8 @@ fn split_points(values: &[String]) -> Result<(&str, Option<&str>), Failure> {
     }
 }
 
-fn read_derivatives(names: &[String], highest: usize) -> Result<Vec<Derivative>, Failure> {
+/// The derivatives that are named, for example `uuv`.
+pub fn read_derivatives(names: &[String], highest: usize) -> Result<Vec<Derivative>, Failure> {
     let read = |name: &String| match Derivative::parse(name.trim()) {
         Some(derivative) if derivative != Derivative::NONE && derivative.largest() <= highest => Ok(derivative),
         Some(derivative) if derivative.largest() > highest => {
@@ -105,7 +112,8 @@ fn read_derivatives(names: &[String], highest: usize) -> Result<Vec<Derivative>,
     Ok(derivatives)
 }
 
-fn read_table(file: &str, time: Option<f64>, patched: &[Patched], allowed: usize) -> Result<Table, Failure> {
+/// Points of a CSV file, all inside the domains of their patches.
+pub fn read_table(file: &str, time: Option<f64>, patched: &[Patched], allowed: usize) -> Result<Table, Failure> {
     let shown = if file == "-" { "standard input" } else { file };
     let unreadable = |error: &dyn std::fmt::Display| Failure::Usage(format!("cannot read `{shown}`: {error}"));
     let input: Box<dyn Read> = if file == "-" {

@@ -12,6 +12,7 @@ mod fit;
 mod fmt;
 mod joins;
 mod mesh;
+mod morph;
 mod options;
 mod output;
 mod render;
@@ -52,6 +53,8 @@ Examples:
                                                blend.0000.obj to blend.0010.obj
   trimline render blend.trim -o blend.png --shade zebra
                                                a picture
+  trimline morph glass.trim goblet.trim -o morph.glb
+                                               the shapes between two specs
   trimline fit blend.trim -o blend.step --tolerance 1e-6
                                                B-splines for CAD programs
   trimline solve blend.trim --set h1=-2 --terms 7
@@ -79,6 +82,8 @@ enum Command {
     Mesh(mesh::Arguments),
     /// Draws a shaded picture, a sheet of pictures over time, or an animation: PNG or GIF.
     Render(render::Arguments),
+    /// Writes the shapes between two specs: meshes, points, and how far each is from the one before.
+    Morph(morph::Arguments),
     /// Writes B-splines for CAD programs: STEP, IGES or JSON by the file's extension.
     Fit(fit::Arguments),
     /// Writes the solved surface as source code: GLSL, WGSL, C, Rust or NumPy.
@@ -99,6 +104,7 @@ fn main() -> ExitCode {
         Command::Fmt(arguments) => fmt::run(&arguments, &terminal),
         Command::Mesh(arguments) => mesh::run(&arguments, &terminal),
         Command::Render(arguments) => render::run(&arguments, &terminal),
+        Command::Morph(arguments) => morph::run(&arguments, &terminal),
         Command::Fit(arguments) => fit::run(arguments, &terminal),
         Command::Emit(arguments) => emit::run(&arguments, &terminal),
         #[cfg(feature = "view")]

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
+use trimline::diagnostic::Diagnostic;
 use trimline::export::{ExportError, Format, write, write_frames, write_pvd};
 use trimline::tessellate::Scene;
 
@@ -70,10 +71,8 @@ fn one_file(
     terminal: &Terminal,
 ) -> Result<(String, Scene), Failure> {
     let mut frames = scenes.all(times, terminal)?;
-    let mut files = Files::default();
-    let notes = write_frames(&frames, format, files.create(&arguments.output)?).map_err(failed)?;
+    let notes = write_animation(&arguments.output, format, &frames)?;
     print_warnings(&notes, &scenes.spec.source, terminal);
-    files.keep()?;
     let path = arguments.output.display();
     let written = match times {
         [time] => format!("{path} at t = {time}"),
@@ -82,7 +81,7 @@ fn one_file(
     Ok((written, frames.pop().unwrap_or_default()))
 }
 
-/// A file for each instant, numbered if there may be several; a series of VTP files has an index beside it.
+/// A file for each instant, numbered if there may be several.
 fn file_each(
     arguments: &Arguments,
     format: Format,
@@ -91,42 +90,83 @@ fn file_each(
     terminal: &Terminal,
 ) -> Result<(String, Scene), Failure> {
     let is_numbered = arguments.meshing.frames.is_some();
-    let path_of = |index| if is_numbered { numbered(&arguments.output, index) } else { arguments.output.clone() };
     let progress = Progress::new(times.len(), terminal);
-    let mut files = Files::default();
+    let mut series = Series::new(&arguments.output, format, is_numbered);
     let mut last = Scene::default();
-    let mut series = Vec::new();
     let (mut said, mut said_of_files) = (Vec::new(), Said::default());
-    for (index, &time) in times.iter().enumerate() {
+    for &time in times {
         let (scene, warnings) = scenes.at(time, &mut said)?;
-        let path = path_of(index);
-        let notes = write(&scene, format, files.create(&path)?).map_err(failed)?;
+        let notes = series.add(&scene)?;
         print_warnings(&warnings, &scenes.spec.source, terminal);
         print_warnings(&said_of_files.news(notes), &scenes.spec.source, terminal);
-        series.push((time, path.file_name().unwrap_or_default().to_string_lossy().into_owned()));
         last = scene;
         progress.advance();
     }
-    let mut written = match times {
-        [_, _, ..] => format!("{} to {}", path_of(0).display(), path_of(times.len() - 1).display()),
-        [time] if !is_numbered => format!("{} at t = {time}", arguments.output.display()),
-        _ => path_of(0).display().to_string(),
-    };
-    if format == Format::Vtp && is_numbered {
-        let index = arguments.output.with_extension("pvd");
-        write_pvd(&series, files.create(&index)?).map_err(failed)?;
-        written = format!("{} and {written}", index.display());
+    let mut written = series.keep()?;
+    if let ([time], false) = (times, is_numbered) {
+        written = format!("{written} at t = {time}");
     }
-    files.keep()?;
     progress.finish();
     Ok((written, last))
+}
+
+/// Files of a format that holds one scene each, which appear together; a series of VTP files has an index beside it.
+pub struct Series<'a> {
+    path: &'a Path,
+    format: Format,
+    is_numbered: bool,
+    files: Files,
+    /// Instant and file name of each.
+    members: Vec<(f64, String)>,
+}
+
+impl<'a> Series<'a> {
+    pub fn new(path: &'a Path, format: Format, is_numbered: bool) -> Series<'a> {
+        Series { path, format, is_numbered, files: Files::default(), members: Vec::new() }
+    }
+
+    fn path_of(&self, index: usize) -> PathBuf {
+        if self.is_numbered { numbered(self.path, index) } else { self.path.to_owned() }
+    }
+
+    /// Writes the next file; says what the format cannot hold.
+    pub fn add(&mut self, scene: &Scene) -> Result<Vec<Diagnostic>, Failure> {
+        let path = self.path_of(self.members.len());
+        let notes = write(scene, self.format, self.files.create(&path)?).map_err(failed)?;
+        self.members.push((scene.time, path.file_name().unwrap_or_default().to_string_lossy().into_owned()));
+        Ok(notes)
+    }
+
+    /// Gives the files their names; says which.
+    pub fn keep(mut self) -> Result<String, Failure> {
+        let mut written = match self.members.len() {
+            0 | 1 => self.path_of(0).display().to_string(),
+            count => format!("{} to {}", self.path_of(0).display(), self.path_of(count - 1).display()),
+        };
+        if self.format == Format::Vtp && self.is_numbered {
+            let index = self.path.with_extension("pvd");
+            write_pvd(&self.members, self.files.create(&index)?).map_err(failed)?;
+            written = format!("{} and {written}", index.display());
+        }
+        self.files.keep()?;
+        Ok(written)
+    }
+}
+
+/// All scenes in one file of a format that holds them; says what the format cannot hold.
+pub fn write_animation(path: &Path, format: Format, frames: &[Scene]) -> Result<Vec<Diagnostic>, Failure> {
+    let mut files = Files::default();
+    let notes = write_frames(frames, format, files.create(path)?).map_err(failed)?;
+    files.keep()?;
+    Ok(notes)
 }
 
 fn failed(error: ExportError) -> Failure {
     Failure::Found { source: None, findings: vec![error.to_diagnostic()] }
 }
 
-fn format_of(path: &Path) -> Result<Format, Failure> {
+/// The format that a file's extension names.
+pub fn format_of(path: &Path) -> Result<Format, Failure> {
     let extension = path.extension().map(|extension| extension.to_string_lossy().into_owned()).unwrap_or_default();
     Format::from_extension(&extension).ok_or_else(|| {
         let known: Vec<String> = Format::ALL.iter().map(|format| format!(".{}", format.extension())).collect();

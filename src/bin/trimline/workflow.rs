@@ -9,7 +9,7 @@ use trimline::decompose::{Decomposition, decompose};
 use trimline::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span};
 use trimline::eval::Backend;
 use trimline::limits::Limits;
-use trimline::method::{Options, Solution};
+use trimline::method::{Options, Settings, Solution};
 use trimline::problem::{Bindings, Patch, PrimarySurface, Problem};
 use trimline::resolve::{resolve, review, set_parameter};
 use trimline::syntax;
@@ -67,7 +67,6 @@ impl Spec {
     }
 
     /// This spec with other values of params or coefficients, each `NAME=EXPR`.
-    #[cfg(feature = "view")]
     pub fn with(&self, changes: &[String]) -> Result<Spec, Failure> {
         let (problem, bindings) = with_values(self.problem.clone(), &self.source, changes, &self.limits)?;
         Ok(Spec { problem, bindings, ..self.clone() })
@@ -108,16 +107,26 @@ impl Spec {
 
     /// Decomposes and compiles a patch with the method and settings that spec and options give.
     pub fn prepare(&self, patch: &Patch, solving: &Solving, points: Option<&str>) -> Result<Patched, Failure> {
+        let settings = solving.settings(points)?;
+        self.prepare_with(patch, solving.method.clone(), settings, |finding| solving.fault(points, finding))
+    }
+
+    /// As [`Spec::prepare`], with these settings; `about_settings` takes findings that have no place in the spec.
+    pub fn prepare_with(
+        &self,
+        patch: &Patch,
+        method: Option<String>,
+        settings: Settings,
+        about_settings: impl FnOnce(Diagnostic) -> Failure,
+    ) -> Result<Patched, Failure> {
         let start = Instant::now();
         let decomposition = self.decompose(patch)?;
         let decompose_seconds = start.elapsed().as_secs_f64();
         let start = Instant::now();
-        let settings = solving.settings(points)?;
-        let method = solving.method.clone();
         let options = Options { method, settings, backend: Backend::Auto, limits: self.limits.clone() };
         let prepared = Prepared::new(&self.problem, &self.bindings, decomposition, &options);
         let prepared = prepared.map_err(|finding| match finding.span {
-            None => solving.fault(points, finding),
+            None => about_settings(finding),
             Some(_) => self.fault(finding),
         })?;
         Ok(Patched { prepared, decompose_seconds, compile_seconds: start.elapsed().as_secs_f64() })

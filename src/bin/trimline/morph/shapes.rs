@@ -1,0 +1,216 @@
+//! Source, target, and the frames between them, solved.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use trimline::diagnostic::{Code, Diagnostic, Diagnostics};
+use trimline::method::Settings;
+use trimline::morph::{Frame, Kind, Sequence, WeightedSurface, distance, interpolate};
+use trimline::problem::{Bindings, SolveRequest};
+use trimline::surface::Surface;
+use trimline::tessellate::{Grid, Scene, tessellate};
+
+use crate::failure::Failure;
+use crate::options::{Solving, option_finding};
+use crate::workflow::{Patched, Spec, common_times};
+
+/// The method whose modes a morph takes away and adds.
+const SERIES: &str = "fourier";
+
+/// The surfaces of all patches at one frame.
+pub type Surfaces = Vec<Arc<dyn Surface>>;
+
+/// What a patch of the problem between is prepared for.
+type Preparation = (usize, Option<usize>);
+
+/// Two shapes and the problem between them.
+pub struct Shapes<'a> {
+    /// The problem between; its places are those of the source.
+    pub spec: Spec,
+    /// The source's patches.
+    pub patched: Vec<Patched>,
+    /// The instant.
+    pub time: f64,
+    /// N_s and N_t.
+    pub modes: [usize; 2],
+    /// What is to be said about source and target, and in which text.
+    pub warnings: [(Spec, Diagnostics); 2],
+    ends: [Surfaces; 2],
+    solving: &'a Solving,
+    prepared: BTreeMap<Preparation, Patched>,
+}
+
+/// One shape, solved as its spec asks.
+struct End {
+    spec: Spec,
+    patched: Vec<Patched>,
+    surfaces: Surfaces,
+    modes: usize,
+    warnings: Diagnostics,
+    time: f64,
+}
+
+impl<'a> Shapes<'a> {
+    pub fn read(paths: [&str; 2], kind: Kind, solving: &'a Solving) -> Result<Shapes<'a>, Failure> {
+        let [source, target] = paths;
+        let source = End::read(source, kind, solving)?;
+        let target = End::read(target, kind, solving)?;
+        let interpolated = interpolate(&source.spec.problem, &target.spec.problem, &source.spec.limits);
+        let mut problem = interpolated.map_err(|finding| source.spec.fault(finding))?;
+        if kind != Kind::Boundary {
+            // Each frame has its own number of modes, and no remainder.
+            let solve = SolveRequest { method: Some(SERIES.to_owned()), ..SolveRequest::default() };
+            problem.patches.iter_mut().for_each(|patch| patch.solve = solve.clone());
+        }
+        let bindings = Bindings::evaluate(&problem).map_err(|finding| source.spec.fault(finding))?;
+        let patches = problem.patches.clone();
+        let spec = Spec { problem, bindings, patches, warnings: Diagnostics::new(), ..source.spec.clone() };
+        Ok(Shapes {
+            spec,
+            patched: source.patched,
+            time: source.time,
+            modes: [source.modes, target.modes],
+            warnings: [(source.spec, source.warnings), (target.spec, target.warnings)],
+            ends: [source.surfaces, target.surfaces],
+            solving,
+            prepared: BTreeMap::new(),
+        })
+    }
+
+    /// Frame number `index` of the sequence; 0 is the source, M + 1 the target.
+    pub fn surfaces(&mut self, sequence: &Sequence, index: usize) -> Result<Surfaces, Failure> {
+        let [source, target] = &self.ends;
+        match index {
+            0 => Ok(source.clone()),
+            _ if index > sequence.steps() => Ok(target.clone()),
+            _ => self.between(sequence.frame(index)),
+        }
+    }
+
+    /// A frame between the shapes.
+    pub fn between(&mut self, frame: Frame) -> Result<Surfaces, Failure> {
+        let here = self.spec.with(&[format!("{}={:?}", trimline::morph::EPSILON, frame.epsilon)])?;
+        let mut surfaces = Surfaces::new();
+        for patch in 0..self.spec.patches.len() {
+            let mut parts: Vec<(f64, Arc<dyn Surface>)> = Vec::new();
+            for (weight, modes) in numbers_of_modes(frame.modes) {
+                let time = self.time;
+                let solution = here.solve(self.prepare((patch, modes))?, time)?.solution;
+                parts.push((weight, solution.surface));
+            }
+            surfaces.push(Arc::new(WeightedSurface { parts }));
+        }
+        Ok(surfaces)
+    }
+
+    fn prepare(&mut self, key: Preparation) -> Result<&Patched, Failure> {
+        let (patch, modes) = key;
+        let missing = || Failure::Machine("a patch of the morph is missing".to_owned());
+        if !self.prepared.contains_key(&key) {
+            let patch = self.spec.patches.get(patch).ok_or_else(missing)?;
+            let patched = match modes {
+                None => self.spec.prepare(patch, self.solving, None)?,
+                Some(_) => {
+                    let settings = Settings {
+                        modes: modes.map(|modes| (modes, None)),
+                        remainder: Some((false, None)),
+                        ..Settings::default()
+                    };
+                    let method = Some(SERIES.to_owned());
+                    self.spec.prepare_with(patch, method, settings, |finding| self.spec.fault(finding))?
+                }
+            };
+            self.prepared.insert(key, patched);
+        }
+        self.prepared.get(&key).ok_or_else(missing)
+    }
+
+    /// The largest distance between two frames.
+    pub fn step(&self, first: &Surfaces, second: &Surfaces) -> Result<f64, Failure> {
+        let mut largest = 0.0_f64;
+        for ((first, second), patch) in first.iter().zip(second).zip(&self.patched) {
+            let ranges = [patch.prepared.domain.u, patch.prepared.domain.v];
+            let step = distance(&**first, &**second, ranges, self.time).map_err(|finding| self.spec.fault(finding))?;
+            largest = largest.max(step);
+        }
+        Ok(largest)
+    }
+
+    /// A frame as meshes, shown at instant `shown` of its file, and what is to be said about them.
+    pub fn scene(&self, surfaces: &Surfaces, grid: Grid, shown: f64) -> Result<(Scene, Diagnostics), Failure> {
+        let (mut meshes, mut warnings) = (Vec::new(), Diagnostics::new());
+        for (surface, patch) in surfaces.iter().zip(&self.patched) {
+            let ranges = (patch.prepared.domain.u, patch.prepared.domain.v);
+            let name = &patch.prepared.patch().name;
+            let (mesh, notes) =
+                tessellate(name, &**surface, ranges, self.time, grid).map_err(|finding| self.spec.fault(finding))?;
+            meshes.push(mesh);
+            warnings.extend(notes);
+        }
+        Ok((Scene { meshes, time: shown }, warnings))
+    }
+}
+
+impl End {
+    fn read(path: &str, kind: Kind, solving: &Solving) -> Result<End, Failure> {
+        let mut spec = Spec::read(path, &solving.reading)?;
+        if solving.method.is_some() {
+            spec.patches.iter_mut().for_each(|patch| patch.solve = SolveRequest::default());
+        }
+        spec.problem.patches.clone_from(&spec.patches);
+        let patched: Result<Vec<Patched>, Failure> =
+            spec.patches.iter().map(|patch| spec.prepare(patch, solving, None)).collect();
+        let patched = patched?;
+        let time = instant(&spec, &patched, solving.time)?;
+        let (mut surfaces, mut modes, mut warnings) = (Surfaces::new(), 0, spec.warnings.clone());
+        for patch in &patched {
+            let solution = spec.solve(patch, time)?.solution;
+            let report = solution.report;
+            if kind != Kind::Boundary && report.method != SERIES {
+                let name = &patch.prepared.patch().name;
+                let message = format!(
+                    "a morph by modes needs `{SERIES}`, and the patch `{name}` is solved by `{}`",
+                    report.method
+                );
+                let origin = patch.prepared.patch().solve.origin;
+                let finding = Diagnostic::new(Code::UnsupportedByMethod, message).at(origin);
+                return Err(
+                    spec.fault(finding.hint(format!("write `solve {SERIES}` in both specs, or add --method {SERIES}")))
+                );
+            }
+            modes = modes.max(report.modes);
+            warnings.extend(report.warnings);
+            surfaces.push(solution.surface);
+        }
+        Ok(End { spec, patched, surfaces, modes, warnings, time })
+    }
+}
+
+/// The instant that the user asked for, or the first that all patches have.
+fn instant(spec: &Spec, patched: &[Patched], time: Option<f64>) -> Result<f64, Failure> {
+    let Some(time) = time else {
+        return common_times(patched).map(|[start, _]| start).ok_or_else(|| {
+            spec.fault(Diagnostic::new(Code::EmptyDomain, "no instant lies in the time domain of every patch"))
+        });
+    };
+    patched.iter().try_for_each(|patch| patch.instant(Some(time)).map(|_| ()))?;
+    Ok(time)
+}
+
+/// A number of modes between two whole ones as those two, with weights.
+fn numbers_of_modes(modes: Option<f64>) -> Vec<(f64, Option<usize>)> {
+    let Some(modes) = modes else { return vec![(1.0, None)] };
+    let below = modes.max(0.0).floor();
+    let share = modes - below;
+    // Numbers of modes are far below 2^32, by the limit `modes`.
+    let parts = [(1.0 - share, below), (share, below + 1.0)];
+    parts.into_iter().filter(|(weight, _)| *weight > 0.0).map(|(weight, n)| (weight, Some(n as usize))).collect()
+}
+
+/// A finding about an option's number.
+pub fn about<T: std::fmt::Display>(option: &str, value: Option<T>, finding: Diagnostic) -> Failure {
+    match value {
+        Some(value) => option_finding(option, &value.to_string(), finding),
+        None => Failure::Found { source: None, findings: vec![finding] },
+    }
+}
