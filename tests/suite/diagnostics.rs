@@ -41,6 +41,7 @@ const ELSEWHERE: &[(Code, &str)] = &[
     (Code::RegionDoesNotFit, "tests of deformations"),
     (Code::EdgeCount, "tests of loops"),
     (Code::LoopOpen, "tests of loops"),
+    (Code::NotSeparable, "tests of specs with four sides"),
     (Code::ApexNotSmooth, "tests of patches with an apex"),
     (Code::HostUnsupported, "a machine without machine code"),
     (Code::OutputFailed, "a full disk"),
