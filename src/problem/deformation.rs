@@ -1,6 +1,6 @@
 //! Local deformations, symbolically.
 
-use crate::diagnostic::Span;
+use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::{ExprId, Graph, Number, Variable};
 
 /// A displacement of a part of the surface: `by` in its middle, falling to zero at its border.
@@ -36,4 +36,35 @@ impl Deformation {
         let weight = graph.power_integer(bubble, exponent);
         self.by.map(|component| graph.product([weight, component]))
     }
+}
+
+/// Refuses a region that is empty, reversed or outside the range of the patch in `variable`.
+///
+/// # Errors
+/// [`Code::RegionDoesNotFit`] at `origin`.
+pub fn check_region(
+    variable: Variable,
+    [low, high]: [f64; 2],
+    [start, end]: [f64; 2],
+    origin: Option<Span>,
+) -> Result<(), Diagnostic> {
+    let name = variable.name();
+    let refuse = |message: String| Diagnostic::new(Code::RegionDoesNotFit, message).at(origin);
+    if !(low.is_finite() && high.is_finite()) {
+        return Err(refuse(format!("the region {name} in [{low}, {high}] is not finite")));
+    }
+    if low >= high {
+        let finding = refuse(format!("the region {name} in [{low}, {high}] is empty"));
+        let advice = if low > high {
+            format!("write the smaller end first: `{name} in [{high}, {low}]`")
+        } else {
+            "the lower end must be below the upper end".to_owned()
+        };
+        return Err(finding.hint(advice));
+    }
+    if low < start || high > end {
+        let finding = refuse(format!("the region {name} in [{low}, {high}] leaves the patch"));
+        return Err(finding.hint(format!("the patch has {name} in [{start}, {end}]")));
+    }
+    Ok(())
 }

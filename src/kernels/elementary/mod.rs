@@ -6,7 +6,10 @@
 //!
 //! Absent on purpose: functions for which `libm` itself is used throughout (`asin`, `atan`, `cbrt`, `pow`, …).
 
-#![allow(clippy::excessive_precision, reason = "constants stand as they were computed, to more digits than a double has")]
+#![allow(
+    clippy::excessive_precision,
+    reason = "constants stand as they were computed, to more digits than a double has"
+)]
 
 mod exponential;
 mod logarithm;
