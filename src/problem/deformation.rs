@@ -19,7 +19,7 @@ pub struct Deformation {
 impl Deformation {
     /// The displacement `by · (16 a (1 - a) b (1 - b))^(keeps + 1)`, where a and b go from 0 to 1 over the region.
     ///
-    /// Implements L1 of docs/methods.md (You and Zhang 2003, Eqs. 30 to 32).
+    /// Implements W1 of docs/methods.md (You and Zhang 2003, Eqs. 30 to 32).
     pub fn displacement(&self, graph: &mut Graph) -> [ExprId; 3] {
         let mut factors = Vec::new();
         for ([low, high], variable) in self.region.into_iter().zip([Variable::U, Variable::V]) {

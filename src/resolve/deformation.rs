@@ -18,8 +18,13 @@ pub fn resolve(
     scope: &Scope<'_>,
     reading: &mut Reading<'_>,
 ) -> Vec<Deformation> {
-    let mut deformations = Vec::with_capacity(statements.len());
-    for statement in statements {
+    let limit = reading.limits.deformations;
+    if let Some(statement) = statements.get(limit) {
+        let message = format!("more deformations than the limit `deformations` of {limit}");
+        reading.report(Diagnostic::new(Code::LimitReached, message).at(statement.span));
+    }
+    let mut deformations = Vec::new();
+    for statement in statements.iter().take(limit) {
         if reading.is_over {
             break;
         }
