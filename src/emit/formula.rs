@@ -20,7 +20,7 @@ pub struct Formula {
     pub instant: Option<f64>,
     /// The F_j as text.
     pub functions: Vec<String>,
-    /// Name as an identifier and value of every parameter, by symbol.
+    /// Name as an identifier and value of every parameter, by symbol; those of definitions have no value.
     pub parameters: Vec<(String, f64)>,
     /// F_1 … F_n, then ∂F_1/∂v … ∂F_n/∂v.
     pub program: Program,
@@ -126,12 +126,10 @@ impl Formula {
             "G_j and its derivative: {degree} and {slopes} terms of a Chebyshev series, summed by Clenshaw's recurrence;"
         ));
         lines.push(format!("within {:.0e} of the solved surface, relative to its size.", self.deviation.max(1e-16)));
-        if !self.parameters.is_empty() {
-            let mut values = "Values of the parameters:".to_owned();
-            for (name, value) in &self.parameters {
-                let _ = write!(values, " {name} = {value:?}");
-            }
-            lines.push(values);
+        let stated = self.parameters.iter().filter(|(_, value)| !value.is_nan());
+        let stated: Vec<String> = stated.map(|(name, value)| format!("{name} = {value:?}")).collect();
+        if !stated.is_empty() {
+            lines.push(format!("Values of the parameters: {}", stated.join(", ")));
             lines.push(
                 "The coefficients belong to these values: to change one, solve and write the surface again.".to_owned(),
             );

@@ -57,6 +57,23 @@ pub fn angle_degrees(a: Vector, b: Vector) -> f64 {
     length(cross(a, b)).atan2(dot(a, b).abs()).to_degrees()
 }
 
+/// The angle in degrees, from 0 to 180, by which a surface turns where it goes on as another along a common curve with
+/// tangent `along`: 0 where both run on smoothly, 180 where the second folds back over the first. `a` and `b` point out of
+/// the two surfaces across the curve. `None` if a direction has no length across the curve.
+pub fn turn_degrees(a: Vector, b: Vector, along: Vector) -> Option<f64> {
+    let along = direction(along)?;
+    let across = |outward: Vector| {
+        let share = dot(outward, along);
+        let rest = [0, 1, 2].map(|i| {
+            let component = |vector: Vector| vector.get(i).copied().unwrap_or(0.0);
+            component(outward) - share * component(along)
+        });
+        direction(rest).filter(|_| length(rest) > NEGLIGIBLE * length(outward))
+    };
+    let (a, b) = (across(a)?, across(b)?.map(|x| -x));
+    Some(length(cross(a, b)).atan2(dot(a, b)).to_degrees())
+}
+
 /// The larger of two measurements, of which one may not exist.
 pub fn worse(a: Option<f64>, b: Option<f64>) -> Option<f64> {
     a.into_iter().chain(b).reduce(f64::max)
@@ -76,6 +93,16 @@ mod tests {
     #[test]
     fn planes_with_opposite_normals_are_one() {
         assert_eq!(angle_degrees([0.0, 0.0, 1.0], [0.0, 0.0, -1.0]), 0.0);
+    }
+
+    #[test]
+    fn surfaces_that_fold_back_turn_by_a_half_turn() {
+        let [x, y] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+        assert_eq!(turn_degrees(x, [-2.0, 0.0, 0.0], y), Some(0.0));
+        assert_eq!(turn_degrees(x, [3.0, 5.0, 0.0], y), Some(180.0));
+        let right = turn_degrees(x, [0.0, 0.0, 1.0], y).unwrap();
+        assert!((right - 90.0).abs() < 1e-12, "{right}");
+        assert_eq!(turn_degrees(x, y, y), None);
     }
 
     #[test]

@@ -1,15 +1,24 @@
 //! Judges how two patches meet along edges of constant u.
 
-use super::contact::{Vector, angle_degrees, distance, normals, worse};
+use super::contact::{Vector, angle_degrees, distance, normals, turn_degrees, worse};
 use crate::diagnostic::Diagnostic;
 use crate::expr::Derivative;
 use crate::surface::Surface;
 
-/// An edge of a solved patch at one instant: points over the range of v, and the normals there.
+/// A curve of constant u of a solved patch at one instant, usually an edge.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Edge {
-    points: Vec<Vector>,
-    normals: Vec<Option<Vector>>,
+    places: Vec<Place>,
+}
+
+/// A point of an edge.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Place {
+    point: Vector,
+    normal: Option<Vector>,
+    /// The tangent that points out of the patch; `None` inside it.
+    outward: Option<Vector>,
+    along: Vector,
 }
 
 /// How two edges meet, at their worst.
@@ -17,7 +26,9 @@ pub struct Edge {
 pub struct SeamDeviation {
     /// The largest distance of points of the same place along the edges.
     pub gap: f64,
-    /// The largest angle between the tangent planes, in degrees from 0 to 90; `None` if no point has both.
+    /// The largest angle by which one patch turns where it goes on as the other, in degrees: 0 is smooth, 180 a fold.
+    /// Where an edge lies inside its patch, the angle between the tangent planes, from 0 to 90. `None` if no point has
+    /// tangent planes.
     pub angle_degrees: Option<f64>,
 }
 
@@ -25,11 +36,16 @@ pub struct SeamDeviation {
 const POINTS: usize = 48;
 
 impl Edge {
-    /// Samples the edge `u` of `surface` at instant `t`.
+    /// Samples the curve `u` of `surface`, a patch over `domain_u` and `[low, high]`, at instant `t`.
     ///
     /// # Errors
     /// Whatever the surface says when it cannot be evaluated.
-    pub fn sample(surface: &dyn Surface, u: f64, [low, high]: [f64; 2], t: f64) -> Result<Edge, Diagnostic> {
+    pub fn sample(
+        surface: &dyn Surface,
+        (u, domain_u): (f64, [f64; 2]),
+        [low, high]: [f64; 2],
+        t: f64,
+    ) -> Result<Edge, Diagnostic> {
         let last = (POINTS - 1) as f64;
         let v: Vec<f64> =
             (0..POINTS).map(|i| if i + 1 == POINTS { high } else { low + (high - low) * (i as f64 / last) }).collect();
@@ -39,15 +55,22 @@ impl Edge {
         };
         let points = values(Derivative::NONE)?;
         let tangents = values(Derivative::new(1, 0, 0))?.into_iter().zip(values(Derivative::new(0, 1, 0))?);
-        let normals = normals(&points, tangents);
-        Ok(Edge { points, normals })
+        let normals = normals(&points, tangents.clone());
+        let out_of = |tangent: Vector| match domain_u {
+            [_, end] if u == end => Some(tangent),
+            [start, _] if u == start => Some(tangent.map(|x| -x)),
+            _ => None,
+        };
+        let places = points.into_iter().zip(normals).zip(tangents);
+        let place = |((point, normal), (across, along))| Place { point, normal, outward: out_of(across), along };
+        Ok(Edge { places: places.map(place).collect() })
     }
 
     /// The size of the box around the edge.
     #[must_use]
     pub fn extent(&self) -> f64 {
         let range = |axis: usize| {
-            let values = self.points.iter().filter_map(|point| point.get(axis));
+            let values = self.places.iter().filter_map(|place| place.point.get(axis));
             let (low, high) =
                 values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(*x), high.max(*x)));
             high - low
@@ -58,23 +81,28 @@ impl Edge {
     /// How the edges meet when both run the same way, or in opposite ways: the better of the two.
     #[must_use]
     pub fn meet(&self, other: &Edge) -> SeamDeviation {
-        let (along, against) = (self.compare(other.places()), self.compare(other.places().rev()));
+        let (along, against) = (self.compare(other.places.iter()), self.compare(other.places.iter().rev()));
         if against.gap < along.gap { against } else { along }
     }
 
-    fn places(&self) -> impl DoubleEndedIterator<Item = (&Vector, &Option<Vector>)> {
-        self.points.iter().zip(&self.normals)
-    }
-
-    fn compare<'a>(&self, other: impl Iterator<Item = (&'a Vector, &'a Option<Vector>)>) -> SeamDeviation {
+    fn compare<'a>(&self, other: impl Iterator<Item = &'a Place>) -> SeamDeviation {
         let mut worst = SeamDeviation { gap: 0.0, angle_degrees: None };
-        for ((a, of_a), (b, of_b)) in self.places().zip(other) {
-            let gap = distance(*a, *b);
+        for (a, b) in self.places.iter().zip(other) {
+            let gap = distance(a.point, b.point);
             worst.gap = if gap.is_nan() { f64::INFINITY } else { worst.gap.max(gap) };
-            let angle = of_a.zip(*of_b).map(|(a, b)| angle_degrees(a, b));
-            worst.angle_degrees = worse(worst.angle_degrees, angle);
+            worst.angle_degrees = worse(worst.angle_degrees, a.angle(b));
         }
         worst
+    }
+}
+
+impl Place {
+    fn angle(&self, other: &Place) -> Option<f64> {
+        let (of_a, of_b) = self.normal.zip(other.normal)?;
+        match (self.outward, other.outward) {
+            (Some(a), Some(b)) => turn_degrees(a, b, self.along),
+            _ => Some(angle_degrees(of_a, of_b)),
+        }
     }
 }
 

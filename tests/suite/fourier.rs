@@ -391,3 +391,12 @@ fn data_without_derivatives_are_solved_by_their_series_alone() {
     assert_eq!(found.code, Code::NotDifferentiable);
     assert!(found.hints.iter().any(|hint| hint.contains("`remainder = off`")), "{found:?}");
 }
+
+#[test]
+fn data_with_a_pole_or_a_jump_are_refused() {
+    for data in ["1/(1 + 1.2 sin(2 v))", "atan(tan(v/2 + 1))"] {
+        let finding = refusal(&with_data(data), &[("remainder", "off")]);
+        assert_eq!(finding.code, Code::UnsupportedByMethod, "{data}: {finding}");
+        assert!(finding.message.contains("of boundary data of size"), "{finding}");
+    }
+}

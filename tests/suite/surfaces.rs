@@ -328,12 +328,19 @@ impl Surface for Cone {
 fn seam_has_the_gap_and_the_angle_of_its_edges_whichever_way_they_run() {
     let turn = [0.0, std::f64::consts::TAU];
     let (straight, steep) = (Cone { a: 0.0, turns: false }, Cone { a: 1.0, turns: false });
-    let edge = |surface: &Cone, u: f64| Edge::sample(surface, u, turn, 0.0).expect("finite");
-    let kink = edge(&straight, 0.0).meet(&edge(&steep, 0.0));
+    // The steep cone begins where the straight one ends, or where its own ends run backwards.
+    let edge =
+        |surface: &Cone, u: f64, domain: [f64; 2]| Edge::sample(surface, (u, domain), turn, 0.0).expect("finite");
+    let (low, high) = ([-1.0, 0.0], [0.0, 1.0]);
+    let kink = edge(&straight, 0.0, low).meet(&edge(&steep, 0.0, high));
     assert!(kink.gap == 0.0 && (kink.angle_degrees.unwrap() - 45.0).abs() < 1e-12, "{kink:?}");
-    let backwards = edge(&straight, 0.0).meet(&edge(&Cone { a: 1.0, turns: true }, 0.0));
+    let backwards = edge(&straight, 0.0, low).meet(&edge(&Cone { a: 1.0, turns: true }, 0.0, high));
     // Points in the opposite order lie elsewhere by rounding of v.
     assert!(backwards.gap < 1e-14 && (backwards.angle_degrees.unwrap() - 45.0).abs() < 1e-12, "{backwards:?}");
-    let apart = edge(&straight, 0.25).meet(&edge(&steep, 0.0));
+    let folded = edge(&straight, 0.0, high).meet(&edge(&steep, 0.0, high));
+    assert!((folded.angle_degrees.unwrap() - 135.0).abs() < 1e-12, "{folded:?}");
+    let inside = edge(&straight, 0.0, [-1.0, 1.0]).meet(&edge(&steep, 0.0, high));
+    assert!((inside.angle_degrees.unwrap() - 45.0).abs() < 1e-12, "{inside:?}");
+    let apart = edge(&straight, 0.25, high).meet(&edge(&steep, 0.0, high));
     assert!((apart.gap - 0.25).abs() < 1e-15, "{apart:?}");
 }

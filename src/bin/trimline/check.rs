@@ -45,8 +45,11 @@ pub struct Arguments {
     format: Format,
 }
 
-/// Instants at which a patch is measured unless the user names one.
-const INSTANTS: usize = 5;
+/// Instants inside the time domain at which a patch is measured unless the user names one.
+const INNER_INSTANTS: usize = 7;
+
+/// A residual that deserves a word.
+const LARGE_RESIDUAL: f64 = 0.1;
 
 #[derive(Serialize)]
 struct Report {
@@ -62,6 +65,8 @@ struct PatchReport {
     boundaries: Vec<Boundary>,
     joins: Vec<Join>,
     pde_residual: f64,
+    /// The instant at which the residual is that large.
+    pde_residual_time: f64,
     amplification: Option<f64>,
     times: Vec<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -179,13 +184,13 @@ fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Check
     for patched in &prepared {
         let times = match arguments.solving.time {
             Some(_) => vec![patched.instant(arguments.solving.time)?],
-            None => trimline::tessellate::instants(patched.prepared.domain.t, INSTANTS, &spec.limits)
-                .map_err(|finding| spec.fault(finding))?,
+            None => measured_instants(patched.prepared.domain.t),
         };
         let mut worst: Option<Verification> = None;
         let mut joins: Option<Vec<JoinDeviation>> = None;
         let mut method = "";
         let mut amplification: Option<f64> = None;
+        let mut largest_residual = (0.0, times.first().copied().unwrap_or_default());
         for (index, &time) in times.iter().enumerate() {
             let solved = spec.solve(patched, time)?;
             method = solved.solution.report.method;
@@ -193,6 +198,9 @@ fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Check
             amplification = here.into_iter().chain(amplification).reduce(f64::max);
             if index == 0 {
                 print_warnings(&solved.solution.report.warnings, &spec.source, terminal);
+            }
+            if solved.measured.relative_residual() > largest_residual.0 {
+                largest_residual = (solved.measured.relative_residual(), time);
             }
             let at = (&spec.bindings, &patched.prepared.domain, time);
             let met =
@@ -212,10 +220,16 @@ fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Check
             let joins = join_reports(&spec, patched, joins.unwrap_or_default())?;
             let explanation =
                 if arguments.explain { Some(explanations(&spec, patched.prepared.patch())?) } else { None };
-            reports.push(PatchReport { amplification, joins, explanation, ..report });
+            reports.push(PatchReport {
+                amplification,
+                joins,
+                explanation,
+                pde_residual_time: largest_residual.1,
+                ..report
+            });
         }
     }
-    let (seams, open) = match seam_times(arguments, &spec, &prepared)? {
+    let (seams, open) = match seam_times(arguments, &spec, &prepared) {
         Some(times) => seams::measure(&spec, &prepared, &times)?,
         None => Default::default(),
     };
@@ -224,15 +238,25 @@ fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Check
 }
 
 /// The instants at which seams are measured; `None` if there can be none.
-fn seam_times(arguments: &Arguments, spec: &Spec, patched: &[Patched]) -> Result<Option<Vec<f64>>, Failure> {
+fn seam_times(arguments: &Arguments, spec: &Spec, patched: &[Patched]) -> Option<Vec<f64>> {
     let range = common_times(patched).filter(|_| patched.len() > 1 || !spec.problem.seams.is_empty());
-    Ok(match (range, arguments.solving.time) {
+    match (range, arguments.solving.time) {
         (None, _) => None,
         (Some(_), Some(time)) => Some(vec![time]),
-        (Some(range), None) => {
-            Some(trimline::tessellate::instants(range, INSTANTS, &spec.limits).map_err(|finding| spec.fault(finding))?)
-        }
-    })
+        (Some(range), None) => Some(measured_instants(range)),
+    }
+}
+
+/// Both ends of the time, and instants between them at multiples of the golden section: evenly spaced ones would all be
+/// zeros of some motion that repeats within the time.
+fn measured_instants([start, end]: [f64; 2]) -> Vec<f64> {
+    if start == end {
+        return vec![start];
+    }
+    let shares = (1..=INNER_INSTANTS).map(|k| (k as f64 * 0.618_033_988_749_894_8).fract());
+    let mut times: Vec<f64> = shares.map(|share| start + share * (end - start)).chain([start, end]).collect();
+    times.sort_by(f64::total_cmp);
+    times
 }
 
 fn join_reports(spec: &Spec, patched: &Patched, met: Vec<JoinDeviation>) -> Result<Vec<Join>, Failure> {
@@ -276,6 +300,7 @@ fn patch_report(
         boundaries,
         joins: Vec::new(),
         pde_residual: worst.relative_residual(),
+        pde_residual_time: 0.0,
         amplification: None,
         times,
         explanation: None,
@@ -314,13 +339,22 @@ fn text(report: &Report) -> String {
         for join in &patch.joins {
             let _ = writeln!(text, "  {:20} {}", format!("{} at u = {}", join.surface, join.u), join_text(join));
         }
-        let _ = writeln!(text, "  {:20} {:.1e} of the largest term", "PDE residual", patch.pde_residual);
+        let _ = writeln!(text, "  {:20} {}", "PDE residual", residual_text(patch));
     }
     for SeamReport { between: [a, b], gap, angle_degrees, .. } in &report.seams {
         let places = format!("{} at u = {} with {} at u = {}", a.patch, a.u, b.patch, b.u);
         let _ = writeln!(text, "seam {places}: gap {gap:.1e}, {}", angle_text(*angle_degrees));
     }
     let _ = writeln!(text, "{}", if report.passed { "passed" } else { "not passed" });
+    text
+}
+
+fn residual_text(patch: &PatchReport) -> String {
+    let mut text = format!("{:.1e} of the largest term", patch.pde_residual);
+    if patch.pde_residual > LARGE_RESIDUAL {
+        let _ =
+            write!(text, " at t = {}: the boundary is met, the equation is not solved there", patch.pde_residual_time);
+    }
     text
 }
 

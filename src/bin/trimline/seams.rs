@@ -51,8 +51,9 @@ pub fn measure(spec: &Spec, patched: &[Patched], times: &[f64]) -> Result<(Vec<S
             let (Some(solved), Some(patched)) = (surfaces.get(patch), patched.get(patch)) else {
                 return Err(Failure::Machine("an edge of a patch that was not solved".to_owned()));
             };
-            let v = patched.prepared.domain.v;
-            Edge::sample(&*solved.solution.surface, u, v, time).map_err(|finding| spec.fault(finding))
+            let domain = &patched.prepared.domain;
+            Edge::sample(&*solved.solution.surface, (u, domain.u), domain.v, time)
+                .map_err(|finding| spec.fault(finding))
         };
         // Each edge once, however many pairs it is in.
         let mut edges: Vec<(Place, Edge)> = Vec::new();

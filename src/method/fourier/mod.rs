@@ -124,6 +124,9 @@ fn has_remainder(decomposition: &Decomposition, options: &Options) -> Result<boo
     }
 }
 
+/// Of the size of the data: a corner, the roughest data that make sense, leaves out less with 64 modes.
+const LARGEST_PART_LEFT_OUT: f64 = 0.1;
+
 struct FourierSolver {
     length: Length,
     has_remainder: bool,
@@ -138,6 +141,7 @@ struct FourierSolver {
 impl Solver for FourierSolver {
     fn solve(&self, params: &[f64], [range_u, range_v]: [[f64; 2]; 2], t: f64) -> Result<Solution, Diagnostic> {
         let series = self.data.series(self.length, range_v, t, params)?;
+        self.refuse_divergence(&series)?;
         let numerals = self.numerals(params, range_u)?;
         let mut warnings = Diagnostics::new();
         let mut assembly = Assembly::new(&self.decomposition, &series);
@@ -180,6 +184,19 @@ impl Solver for FourierSolver {
 }
 
 impl FourierSolver {
+    /// Refuses data that as many modes as are allowed do not come near: they jump, have a pole, or vary too fast.
+    fn refuse_divergence(&self, series: &Series) -> Result<(), Diagnostic> {
+        if matches!(self.length, Length::Fixed(_)) || series.left_out <= LARGEST_PART_LEFT_OUT * series.size {
+            return Ok(());
+        }
+        let (modes, left_out, size) = (series.modes(), series.left_out, series.size);
+        let message =
+            format!("a Fourier series of {modes} modes leaves out {left_out:.1e} of boundary data of size {size:.1e}");
+        Err(Diagnostic::new(Code::UnsupportedByMethod, message).at(series.origin).hint(
+            "data that jump or have a pole in the domain of v have no useful series; fast ones need a higher limit `modes`",
+        ))
+    }
+
     fn numerals(&self, params: &[f64], range: [f64; 2]) -> Result<Numerals, Diagnostic> {
         let nowhere = [0.0];
         let mut values = vec![0.0; self.constant_values.program().outputs()];
