@@ -38,7 +38,6 @@ const ELSEWHERE: &[(Code, &str)] = &[
     (Code::TwistsDisagree, "tests of the method `four_sided`"),
     (Code::NotElliptic, "tests of the method `four_sided`"),
     (Code::TermsTooFew, "tests of the method `four_sided`"),
-    (Code::RegionDoesNotFit, "tests of deformations"),
     (Code::EdgeCount, "tests of loops"),
     (Code::LoopOpen, "tests of loops"),
     (Code::NotSeparable, "tests of specs with four sides"),

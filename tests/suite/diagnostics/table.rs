@@ -60,7 +60,7 @@ pub const ROWS: &[Row] = &[
     (Before("deform u in [0, 1], v in [0, 7] by [0, 0, 1] keeping C1\n"), RegionDoesNotFit, "1:27", "0, 7", "the region v in [0, 7] leaves the patch"),
     (Before("deform v in [0, 1], u in [0, 1] by [0, 0, 1] keeping C1\n"), UnexpectedText, "1:8", "v", "a range of u and one of v"),
     (Before("deform u in [0, 1], v in [0, 1] by 1 keeping C1\n"), NotScalar, "1:36", "1", "write `by [x, y, z]`"),
-    (Before("deform u in [0, 1], v in [0, 1] by [0, 0, 1]\n"), UnexpectedText, "1:45", "", "expected an operator"),
+    (Before("deform u in [0, 1], v in [0, 1] by [0, 0, 1]\n"), UnexpectedText, "1:45", "", "expected `keeping`"),
     (After("at u = 1: dS/dv = 0"), UnexpectedText, "3:11", "dS/dv", "a boundary constraint at fixed u is on S or its derivatives in u"),
     (Whole("at u = 0 S = 0\n"), UnexpectedText, "1:12", "=", "a colon ends the position"),
     (Data("sin()"), WrongArity, "1:16", "sin()", "`sin` takes 1 argument, found 0"),
