@@ -15,6 +15,8 @@ pub struct Limits {
     pub names: usize,
     /// Patches of one document.
     pub patches: usize,
+    /// Deformations of one patch.
+    pub deformations: usize,
     /// Distinct nodes of one expression graph and their operands.
     pub graph_nodes: usize,
     /// Bytes of one expression written as text.
@@ -54,6 +56,7 @@ impl Default for Limits {
             nesting: 128,
             names: 4096,
             patches: 256,
+            deformations: 64,
             graph_nodes: 200_000,
             text_bytes: 1 << 20,
             monomials: 4096,
@@ -81,6 +84,7 @@ impl Limits {
             ("nesting", &mut self.nesting),
             ("names", &mut self.names),
             ("patches", &mut self.patches),
+            ("deformations", &mut self.deformations),
             ("graph-nodes", &mut self.graph_nodes),
             ("text-bytes", &mut self.text_bytes),
             ("monomials", &mut self.monomials),

@@ -1,6 +1,6 @@
 //! Local deformations, symbolically.
 
-use crate::diagnostic::Span;
+use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::{ExprId, Graph, Number, Variable};
 
 /// A displacement of a part of the surface: `by` in its middle, falling to zero at its border.
@@ -19,7 +19,7 @@ pub struct Deformation {
 impl Deformation {
     /// The displacement `by · (16 a (1 - a) b (1 - b))^(keeps + 1)`, where a and b go from 0 to 1 over the region.
     ///
-    /// Implements L1 of docs/methods.md (You and Zhang 2003, Eqs. 30 to 32).
+    /// Implements W1 of docs/methods.md (You and Zhang 2003, Eqs. 30 to 32).
     pub fn displacement(&self, graph: &mut Graph) -> [ExprId; 3] {
         let mut factors = Vec::new();
         for ([low, high], variable) in self.region.into_iter().zip([Variable::U, Variable::V]) {
@@ -36,4 +36,35 @@ impl Deformation {
         let weight = graph.power_integer(bubble, exponent);
         self.by.map(|component| graph.product([weight, component]))
     }
+}
+
+/// Refuses a region that is empty, reversed or outside the range of the patch in `variable`.
+///
+/// # Errors
+/// [`Code::RegionDoesNotFit`] at `origin`.
+pub fn check_region(
+    variable: Variable,
+    [low, high]: [f64; 2],
+    [start, end]: [f64; 2],
+    origin: Option<Span>,
+) -> Result<(), Diagnostic> {
+    let name = variable.name();
+    let refuse = |message: String| Diagnostic::new(Code::RegionDoesNotFit, message).at(origin);
+    if !(low.is_finite() && high.is_finite()) {
+        return Err(refuse(format!("the region {name} in [{low}, {high}] is not finite")));
+    }
+    if low >= high {
+        let finding = refuse(format!("the region {name} in [{low}, {high}] is empty"));
+        let advice = if low > high {
+            format!("write the smaller end first: `{name} in [{high}, {low}]`")
+        } else {
+            "the lower end must be below the upper end".to_owned()
+        };
+        return Err(finding.hint(advice));
+    }
+    if low < start || high > end {
+        let finding = refuse(format!("the region {name} in [{low}, {high}] leaves the patch"));
+        return Err(finding.hint(format!("the patch has {name} in [{start}, {end}]")));
+    }
+    Ok(())
 }

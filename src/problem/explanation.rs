@@ -3,7 +3,7 @@
 //! The Unicode form is a spec and the constraints in LaTeX are a block of one, so both can be read again: that is how
 //! tests know that nothing was lost. Definitions are expanded; derivatives and constraints are as they are solved.
 
-use super::{BoundaryCondition, ParameterKind, Patch, PdeTerm, Problem};
+use super::{ParameterKind, Patch, PdeTerm, Problem};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::expr::{Derivative, ExprId, Node, Notation, Variable};
 use crate::limits::Limits;
@@ -17,8 +17,10 @@ pub struct Explanation {
     pub equation: String,
     /// The ranges of u, v and t.
     pub domain: String,
-    /// The constraints, by position.
+    /// The constraints, by position: those at fixed u, then those at fixed v.
     pub constraints: String,
+    /// The deformations, a line each.
+    pub deformations: String,
 }
 
 impl Problem {
@@ -32,7 +34,8 @@ impl Problem {
             parameters: writer.parameters()?,
             equation: writer.equation(patch)?,
             domain: writer.domain(patch)?,
-            constraints: writer.constraints(&patch.conditions)?,
+            constraints: writer.constraints(patch)?,
+            deformations: writer.deformations(patch)?,
         })
     }
 }
@@ -41,7 +44,7 @@ impl Explanation {
     /// All parts, one below the other.
     #[must_use]
     pub fn to_text(&self) -> String {
-        let parts = [&self.parameters, &self.equation, &self.domain, &self.constraints];
+        let parts = [&self.parameters, &self.equation, &self.domain, &self.constraints, &self.deformations];
         let stated: Vec<&str> = parts.into_iter().map(String::as_str).filter(|part| !part.is_empty()).collect();
         stated.join("\n") + "\n"
     }
@@ -165,21 +168,41 @@ impl Writer<'_> {
         })
     }
 
-    fn constraints(&self, conditions: &[BoundaryCondition]) -> Result<String, Diagnostic> {
+    fn constraints(&self, patch: &Patch) -> Result<String, Diagnostic> {
+        let at_u = patch.conditions.iter().map(|c| (Variable::U, c.u, c.order, c.value));
+        let at_v = patch.side_conditions.iter().map(|c| (Variable::V, c.v, c.order, c.value));
         let mut rows = Vec::new();
-        let mut position: Option<ExprId> = None;
-        for condition in conditions {
-            if position != Some(condition.u) {
-                let u = self.text(condition.u)?;
-                rows.push(if self.is_latex() { format!("u &= {u}") } else { format!("at u = {u}:") });
-                position = Some(condition.u);
+        let mut opened: Option<(Variable, ExprId)> = None;
+        for (across, position, order, value) in at_u.chain(at_v) {
+            if opened != Some((across, position)) {
+                let (name, at) = (across.name(), self.text(position)?);
+                rows.push(if self.is_latex() { format!("{name} &= {at}") } else { format!("at {name} = {at}:") });
+                opened = Some((across, position));
             }
-            let value = self.vector(condition.value)?;
-            let derivative = Derivative::new(condition.order, 0, 0);
+            let value = self.vector(value)?;
+            let derivative = match across {
+                Variable::U => Derivative::new(order, 0, 0),
+                _ => Derivative::new(0, order, 0),
+            };
             rows.push(if self.is_latex() {
                 format!("{} &= {value}", derivative.of(r"\mathbf{S}", self.notation))
             } else {
                 format!("    {} = {value}", derivative.of("S", self.notation))
+            });
+        }
+        Ok(if self.is_latex() { aligned(&rows.join(", \\\\\n")) } else { rows.join("\n") })
+    }
+
+    fn deformations(&self, patch: &Patch) -> Result<String, Diagnostic> {
+        let mut rows = Vec::new();
+        for deformation in &patch.deformations {
+            let [u, v] = deformation.region;
+            let (u, v, by) = (self.interval(u)?, self.interval(v)?, self.vector(deformation.by)?);
+            let keeps = deformation.keeps;
+            rows.push(if self.is_latex() {
+                format!(r"& u {u}, \quad v {v}: \quad \mathrm{{deform}}\ {by}, \quad C^{{{keeps}}}")
+            } else {
+                format!("deform u {u}, v {v} by {by} keeping C{keeps}")
             });
         }
         Ok(if self.is_latex() { aligned(&rows.join(", \\\\\n")) } else { rows.join("\n") })

@@ -11,7 +11,7 @@ mod operator;
 mod parameters;
 mod surface;
 
-pub use deformation::Deformation;
+pub use deformation::{Deformation, check_region};
 pub use domain::{Domain, DomainValues};
 pub use explanation::Explanation;
 pub use operator::{PdeOperator, PdeTerm, STANDARD_COEFFICIENTS};

@@ -51,6 +51,12 @@ impl PdeOperator {
         self.terms.iter().map(|term| term.derivative.u).max().unwrap_or(0)
     }
 
+    /// The highest derivative in v.
+    #[must_use]
+    pub fn order_in_v(&self) -> usize {
+        self.terms.iter().map(|term| term.derivative.v).max().unwrap_or(0)
+    }
+
     /// The highest derivative in t.
     #[must_use]
     pub fn order_in_t(&self) -> usize {

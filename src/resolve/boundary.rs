@@ -1,4 +1,4 @@
-//! `at u = c:` blocks to boundary conditions, counted against the order of the equation.
+//! `at u = c:` and `at v = c:` blocks to boundary conditions, counted against the order of the equation.
 
 use super::form::components;
 use super::join;
@@ -8,106 +8,161 @@ use super::scope::{Scope, Value};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 use crate::expr::{ExprId, Variable};
 use crate::numeric::CardinalPolynomials;
-use crate::problem::{Bindings, BoundaryCondition, Join, describe_condition};
+use crate::problem::{Bindings, BoundaryCondition, Join, SideCondition, describe};
 use crate::syntax::ast::{Boundary, Constraint, Kind};
 
 /// A condition that is still being collected.
 struct Collected {
     position: f64,
-    u: ExprId,
+    edge: ExprId,
     order: usize,
     value: [Option<(ExprId, Span)>; 3],
 }
 
-/// What the boundary blocks of a patch are judged by.
+/// What the boundary blocks of a patch at values of one coordinate are judged by.
 pub struct Frame<'a> {
-    /// The order of the equation, if it has one.
-    pub order_in_u: Option<usize>,
-    /// The values of parameters and the range of u, if they are known.
+    /// The coordinate, u or v.
+    pub across: Variable,
+    /// The order of the equation in it, if there is an equation.
+    pub order: Option<usize>,
+    /// The values of parameters and the range of the coordinate, if they are known.
     pub numbers: Option<(&'a Bindings, [f64; 2])>,
     /// Where the patch is named.
     pub place: Option<Span>,
 }
 
-/// Resolves all boundary blocks; `None` if the boundary is at fault or cannot be judged.
-pub fn resolve(
+/// The conditions at values of u and the joins there; `None` if they are at fault or cannot be judged.
+pub fn at_u(
     boundaries: &[Boundary],
     frame: &Frame<'_>,
     scope: &Scope<'_>,
     reading: &mut Reading<'_>,
 ) -> Option<(Vec<BoundaryCondition>, Vec<Join>)> {
+    let (collected, joins) = resolve(boundaries, frame, scope, reading)?;
+    let conditions = collected.into_iter().map(|condition| {
+        let Collected { edge, order, .. } = condition;
+        BoundaryCondition { u: edge, order, value: condition.value(), origins: condition.origins() }
+    });
+    Some((conditions.collect(), joins))
+}
+
+/// The conditions at values of v, none for a patch without; otherwise as [`at_u`].
+pub fn at_v(
+    boundaries: &[Boundary],
+    frame: &Frame<'_>,
+    scope: &Scope<'_>,
+    reading: &mut Reading<'_>,
+) -> Option<Vec<SideCondition>> {
+    if !boundaries.iter().any(|boundary| boundary.variable.text == frame.across.name()) {
+        return Some(Vec::new());
+    }
+    let (collected, _) = resolve(boundaries, frame, scope, reading)?;
+    let conditions = collected.into_iter().map(|condition| {
+        let Collected { edge, order, .. } = condition;
+        SideCondition { v: edge, order, value: condition.value(), origins: condition.origins() }
+    });
+    Some(conditions.collect())
+}
+
+/// Reports boundaries at values of anything but u and v.
+pub fn check_coordinates(boundaries: &[Boundary], reading: &mut Reading<'_>) {
+    for Boundary { variable, .. } in boundaries {
+        if ![Variable::U, Variable::V].iter().any(|known| known.name() == variable.text) {
+            let message = format!("boundaries are at values of u or of v, not of `{}`", variable.text);
+            let finding = Diagnostic::new(Code::UnexpectedText, message).at(variable.span);
+            reading.report(finding.hint("u runs across the blend, from one trimline to the other; write `at u = 0:`"));
+        }
+    }
+}
+
+impl Collected {
+    fn value(&self) -> [ExprId; 3] {
+        self.value.map(|value| value.map_or(self.edge, |(expr, _)| expr))
+    }
+
+    fn origins(&self) -> [Option<Span>; 3] {
+        self.value.map(|value| value.map(|(_, span)| span))
+    }
+}
+
+/// Resolves the boundary blocks at values of the coordinate of `frame`.
+fn resolve(
+    boundaries: &[Boundary],
+    frame: &Frame<'_>,
+    scope: &Scope<'_>,
+    reading: &mut Reading<'_>,
+) -> Option<(Vec<Collected>, Vec<Join>)> {
     let found_before = reading.found.len();
+    let across = frame.across;
     let mut collected: Vec<Collected> = Vec::new();
     let mut joins = Vec::new();
-    for boundary in boundaries {
+    let here = || boundaries.iter().filter(|boundary| boundary.variable.text == across.name());
+    for boundary in here() {
         let edge = edge(boundary, frame, &mut reading.lowering(scope));
         let edge = reading.keep(edge).flatten();
         for constraint in &boundary.constraints.single {
             if reading.is_over {
                 return None;
             }
-            let stated = stated(constraint, frame.order_in_u, &mut reading.lowering(scope));
+            let stated = stated(constraint, frame, &mut reading.lowering(scope));
             if let (Some(stated), Some(edge)) = (reading.keep(stated), edge) {
-                let added = add(stated, edge, &mut reading.lowering(scope), &mut collected);
+                let added = add(stated, across, edge, &mut reading.lowering(scope), &mut collected);
                 reading.keep(added);
-                joins.extend(join::written_out(constraint, edge.0, &mut reading.lowering(scope)));
+                if across == Variable::U {
+                    joins.extend(join::written_out(constraint, edge.0, &mut reading.lowering(scope)));
+                }
             }
         }
         for join in &boundary.constraints.joins {
-            let (Some((u, position)), Some(order_in_u)) = (edge, frame.order_in_u) else { continue };
+            if across != Variable::U {
+                reading.report(
+                    Diagnostic::new(Code::UnexpectedText, "a join stands at a value of u").at(join.span).hint(
+                        "write the position and the tangent of the surface: `S = S1(u, 0, t), ∂S/∂v = ∂S1(u, 0, t)/∂v`",
+                    ),
+                );
+                continue;
+            }
+            let (Some((u, position)), Some(order_in_u)) = (edge, frame.order) else { continue };
             let expanded = join::expand(join, u, order_in_u, &mut reading.lowering(scope));
             let Some((stated, join)) = reading.keep(expanded) else { continue };
             for stated in stated {
-                let added = add(stated, (u, position), &mut reading.lowering(scope), &mut collected);
+                let added = add(stated, across, (u, position), &mut reading.lowering(scope), &mut collected);
                 reading.keep(added);
             }
             joins.push(join);
         }
     }
-    let (Some(order_in_u), Some((_, range)), true) =
-        (frame.order_in_u, frame.numbers, reading.found.len() == found_before)
+    let (Some(order), Some((_, range)), true) = (frame.order, frame.numbers, reading.found.len() == found_before)
     else {
         return None;
     };
     collected.sort_by(|a, b| a.position.total_cmp(&b.position).then(a.order.cmp(&b.order)));
-    let whole = boundaries.last().map(|boundary| reading.tree.span(boundary.position)).or(frame.place);
-    let complete = check_complete(&collected, whole, order_in_u, range);
+    let whole = here().last().map(|boundary| reading.tree.span(boundary.position)).or(frame.place);
+    let complete = check_complete(&collected, whole, across, order, range);
     if let Err(findings) = complete {
         findings.into_iter().for_each(|finding| reading.report(finding));
         return None;
     }
-    let conditions = collected.into_iter().map(|condition| BoundaryCondition {
-        u: condition.u,
-        order: condition.order,
-        value: condition.value.map(|value| value.map_or(condition.u, |(expr, _)| expr)),
-        origins: condition.value.map(|value| value.map(|(_, span)| span)),
-    });
-    Some((conditions.collect(), joins))
+    Some((collected, joins))
 }
 
 /// The position of a boundary, symbolically and as a number; `None` where numbers are not known.
 fn edge(boundary: &Boundary, frame: &Frame<'_>, lowering: &mut Lowering<'_>) -> Result<Option<(ExprId, f64)>, Fault> {
-    if boundary.variable.text != Variable::U.name() {
-        let message = format!("boundaries are at values of u, not of `{}`", boundary.variable.text);
-        return Err(Diagnostic::new(Code::UnexpectedText, message)
-            .at(boundary.variable.span)
-            .hint("u runs across the blend, from one trimline to the other; write `at u = 0:`")
-            .into());
-    }
-    let u = lowering.constant(boundary.position, "the position of a boundary")?;
+    let edge = lowering.constant(boundary.position, "the position of a boundary")?;
     let Some((bindings, range)) = frame.numbers else { return Ok(None) };
     let place = lowering.tree.span(boundary.position);
-    let position = bindings.constant_in(lowering.graph, u, Some(place), "the position of a boundary")?;
+    let position = bindings.constant_in(lowering.graph, edge, Some(place), "the position of a boundary")?;
     if !(range[0]..=range[1]).contains(&position) {
-        let message = format!("u = {position} lies outside the domain u in [{}, {}]", range[0], range[1]);
+        let ([low, high], name) = (range, frame.across.name());
+        let message = format!("{name} = {position} lies outside the domain {name} in [{low}, {high}]");
         return Err(Diagnostic::new(Code::DependentConstraints, message).at(place).into());
     }
-    Ok(Some((u, position)))
+    Ok(Some((edge, position)))
 }
 
 /// A constraint with its value: for each component the prescribed function, if there is one, and its place.
 pub struct Stated {
-    /// The order of the derivative in u.
+    /// The order of the derivative across the boundary.
     pub order: usize,
     /// The prescribed function of each component.
     pub value: [Option<ExprId>; 3],
@@ -117,18 +172,20 @@ pub struct Stated {
     pub span: Span,
 }
 
-fn stated(constraint: &Constraint, order_in_u: Option<usize>, lowering: &mut Lowering<'_>) -> Result<Stated, Fault> {
+fn stated(constraint: &Constraint, frame: &Frame<'_>, lowering: &mut Lowering<'_>) -> Result<Stated, Fault> {
     let target = constraint.target;
-    let order = target.derivative.u;
-    if target.derivative.v > 0 || target.derivative.t > 0 {
-        return Err(Diagnostic::new(Code::UnexpectedText, "a boundary constraint is on S or its derivatives in u")
+    let order = target.derivative.order(frame.across);
+    let name = frame.across.name();
+    if order < target.derivative.u + target.derivative.v + target.derivative.t {
+        let message = format!("a boundary constraint at fixed {name} is on S or its derivatives in {name}");
+        return Err(Diagnostic::new(Code::UnexpectedText, message)
             .at(target.span)
             .hint("derivatives along the trimline follow from S there")
             .into());
     }
-    if let Some(order_in_u) = order_in_u.filter(|most| order >= *most) {
+    if let Some(most) = frame.order.filter(|most| order >= *most) {
         let message =
-            format!("an equation of order {order_in_u} in u takes no constraint on a derivative of order {order}");
+            format!("an equation of order {most} in {name} takes no constraint on a derivative of order {order}");
         return Err(Diagnostic::new(Code::WrongConstraintCount, message).at(target.span).into());
     }
     let value = lowering.value(constraint.value)?;
@@ -165,31 +222,32 @@ fn stated(constraint: &Constraint, order_in_u: Option<usize>, lowering: &mut Low
     Ok(Stated { order, value: wanted, places, span: constraint.span })
 }
 
-/// Adds a constraint to the conditions at the edge `u`.
+/// Adds a constraint to the conditions at an edge, where `across` has the value `position`.
 fn add(
     stated: Stated,
-    (u, position): (ExprId, f64),
+    across: Variable,
+    (edge, position): (ExprId, f64),
     lowering: &mut Lowering<'_>,
     collected: &mut Vec<Collected>,
 ) -> Result<(), Diagnostic> {
     let Stated { order, value, places, span } = stated;
     for (expr, place) in value.into_iter().zip(places) {
         if let Some(expr) = expr
-            && lowering.graph.dependence(expr).u
+            && depends_on(expr, across, lowering)
         {
-            return Err(depends_on_u(expr, u, position, place, lowering));
+            return Err(not_boundary_data(expr, across, (edge, position), place, lowering));
         }
     }
     let index = collected.iter().position(|other| other.position == position && other.order == order);
     let index = index.unwrap_or_else(|| {
-        collected.push(Collected { position, u, order, value: [None; 3] });
+        collected.push(Collected { position, edge, order, value: [None; 3] });
         collected.len() - 1
     });
     let Some(condition) = collected.get_mut(index) else { return Ok(()) };
     for (component, ((slot, expr), place)) in condition.value.iter_mut().zip(value).zip(places).enumerate() {
         match (slot.as_ref(), expr) {
             (Some((_, first)), Some(_)) => {
-                let what = describe_condition(Some(component), order, position);
+                let what = describe(Some(component), order, across, position);
                 return Err(Diagnostic::new(Code::DuplicateConstraint, format!("{what} is given twice"))
                     .at(span)
                     .label(*first, "first given here"));
@@ -201,18 +259,30 @@ fn add(
     Ok(())
 }
 
-fn depends_on_u(expr: ExprId, u: ExprId, position: f64, place: Span, lowering: &mut Lowering<'_>) -> Diagnostic {
+fn depends_on(expr: ExprId, across: Variable, lowering: &Lowering<'_>) -> bool {
+    let dependence = lowering.graph.dependence(expr);
+    if across == Variable::U { dependence.u } else { dependence.v }
+}
+
+fn not_boundary_data(
+    expr: ExprId,
+    across: Variable,
+    (edge, position): (ExprId, f64),
+    place: Span,
+    lowering: &mut Lowering<'_>,
+) -> Diagnostic {
     use crate::expr::Notation;
-    let variable = lowering.graph.variable(Variable::U);
-    let replaced = lowering.graph.substitute(expr, &[(variable, u)].into_iter().collect());
+    let variable = lowering.graph.variable(across);
+    let (name, along) = if across == Variable::U { ("u", "v") } else { ("v", "u") };
+    let replaced = lowering.graph.substitute(expr, &[(variable, edge)].into_iter().collect());
     let shown = |expr: ExprId, lowering: &Lowering<'_>| lowering.graph.text(expr, Notation::Ascii, 200).ok();
     let message = match shown(expr, lowering) {
-        Some(text) => format!("`{text}` depends on `u`, so it is not boundary data"),
-        None => "this depends on `u`, so it is not boundary data".to_owned(),
+        Some(text) => format!("`{text}` depends on `{name}`, so it is not boundary data"),
+        None => format!("this depends on `{name}`, so it is not boundary data"),
     };
     let finding = Diagnostic::new(Code::NotBoundaryData, message)
         .at(place)
-        .marked(format!("at the edge u = {position} only `v`, `t` and parameters may appear"));
+        .marked(format!("at the edge {name} = {position} only `{along}`, `t` and parameters may appear"));
     match shown(replaced, lowering) {
         Some(text) => finding.hint(format!("write the value it has there, `{text}`")),
         None => finding.hint("write the value it has there"),
@@ -223,26 +293,29 @@ fn depends_on_u(expr: ExprId, u: ExprId, position: f64, place: Span, lowering: &
 fn check_complete(
     collected: &[Collected],
     whole: Option<Span>,
-    order_in_u: usize,
+    across: Variable,
+    order: usize,
     range: [f64; 2],
 ) -> Result<(), Diagnostics> {
-    if collected.len() != order_in_u {
-        let stated: Vec<String> = collected.iter().map(|c| describe_condition(None, c.order, c.position)).collect();
+    if collected.len() != order {
+        let name = across.name();
+        let stated: Vec<String> = collected.iter().map(|c| describe(None, c.order, across, c.position)).collect();
         let stated = if stated.is_empty() { "none".to_owned() } else { stated.join(", ") };
         let count = collected.len();
+        let at = if across == Variable::U { "" } else { " at fixed v" };
         let message = format!(
-            "an equation of order {order_in_u} in u needs {order_in_u} boundary constraints on S, {count} are stated"
+            "an equation of order {order} in {name} needs {order} boundary constraints on S{at}, {count} are stated"
         );
         let mut finding =
             Diagnostic::new(Code::WrongConstraintCount, message).at(whole).hint(format!("stated: {stated}"));
-        if let Some(missing) = usual(order_in_u, range)
+        if let Some(missing) = usual(order, range)
             .into_iter()
             .find(|(position, order)| !collected.iter().any(|c| c.position == *position && c.order == *order))
-            .filter(|_| count < order_in_u)
+            .filter(|_| count < order)
         {
             finding = finding.hint(format!(
                 "missing, if both ends are to be joined alike: {}",
-                describe_condition(None, missing.1, missing.0)
+                describe(None, missing.1, across, missing.0)
             ));
         }
         return Err(vec![finding]);
@@ -251,7 +324,7 @@ fn check_complete(
     for condition in collected {
         for (component, value) in condition.value.iter().enumerate() {
             if value.is_none() {
-                let what = describe_condition(Some(component), condition.order, condition.position);
+                let what = describe(Some(component), condition.order, across, condition.position);
                 let sibling = condition.value.iter().flatten().map(|(_, span)| *span).next();
                 let finding = Diagnostic::new(Code::MissingConstraint, format!("the constraint on {what} is missing"));
                 found.push(finding.at(sibling.or(whole)).hint("every component needs one, `0` included"));
@@ -271,6 +344,6 @@ fn check_complete(
 }
 
 /// Position, tangent, … at both ends: what most problems state.
-fn usual(order_in_u: usize, range: [f64; 2]) -> Vec<(f64, usize)> {
-    (0..order_in_u.div_ceil(2)).flat_map(|order| range.map(|position| (position, order))).collect()
+fn usual(order: usize, range: [f64; 2]) -> Vec<(f64, usize)> {
+    (0..order.div_ceil(2)).flat_map(|each| range.map(|position| (position, each))).collect()
 }

@@ -5,6 +5,7 @@
 
 mod boundary;
 mod declarations;
+mod deformation;
 mod equation;
 mod form;
 mod join;

@@ -2,6 +2,7 @@
 
 use super::boundary;
 use super::declarations;
+use super::deformation;
 use super::equation;
 use super::lower::Lowering;
 use super::reading::{Fault, Reading};
@@ -81,17 +82,31 @@ pub fn sections<'a>(
 /// The patch, or `None` if anything about it is at fault. Without `bindings` positions are not known.
 pub fn resolve(section: Section<'_>, bindings: Option<&Bindings>, reading: &mut Reading<'_>) -> Option<Patch> {
     let Section { name, place, statements, scope, domain, operator, solve } = section;
-    let order_in_u = operator.as_ref().map(PdeOperator::order_in_u);
     let numbers = match bindings {
         None => None,
         Some(bindings) => {
             let values = domain.evaluate_in(&reading.graph, bindings);
-            reading.keep(values).map(|values| (bindings, values.u))
+            reading.keep(values).map(|values| (bindings, values))
         }
     };
-    let frame = boundary::Frame { order_in_u, numbers, place };
-    let (conditions, joins) = boundary::resolve(&statements.boundaries, &frame, &scope, reading)?;
-    let (side_conditions, deformations) = (Vec::new(), Vec::new());
+    let boundaries = &statements.boundaries;
+    boundary::check_coordinates(boundaries, reading);
+    let frame_u = boundary::Frame {
+        across: Variable::U,
+        order: operator.as_ref().map(PdeOperator::order_in_u),
+        numbers: numbers.map(|(bindings, values)| (bindings, values.u)),
+        place,
+    };
+    let frame_v = boundary::Frame {
+        across: Variable::V,
+        order: operator.as_ref().map(PdeOperator::order_in_v),
+        numbers: numbers.map(|(bindings, values)| (bindings, values.v)),
+        place,
+    };
+    let at_u = boundary::at_u(boundaries, &frame_u, &scope, reading);
+    let at_v = boundary::at_v(boundaries, &frame_v, &scope, reading);
+    let deformations = deformation::resolve(&statements.deformations, numbers, &scope, reading);
+    let ((conditions, joins), side_conditions) = (at_u?, at_v?);
     Some(Patch { name, domain, operator: operator?, conditions, joins, side_conditions, deformations, solve })
 }
 
@@ -158,13 +173,20 @@ fn check_blocks(document: &Document, reading: &mut Reading<'_>) {
             reading.report(finding.label(first.name.span, "first declared here"));
         }
     }
-    if let (Some(boundary), false) = (document.shared.boundaries.first(), document.patches.is_empty()) {
+    if document.patches.is_empty() {
+        return;
+    }
+    let outside = |what: &str, place: Span| {
+        Diagnostic::new(Code::UnexpectedText, format!("a {what} stands outside the patches of the document"))
+            .at(place)
+            .hint(format!("each patch has its own: move the {what} into its `patch NAME {{ … }}`"))
+    };
+    if let Some(boundary) = document.shared.boundaries.first() {
         let place = boundary.variable.span.to(reading.tree.span(boundary.position));
-        reading.report(
-            Diagnostic::new(Code::UnexpectedText, "a boundary stands outside the patches of the document")
-                .at(place)
-                .hint("each patch has its own boundaries: move it into its `patch NAME { … }`"),
-        );
+        reading.report(outside("boundary", place));
+    }
+    if let Some(deformation) = document.shared.deformations.first() {
+        reading.report(outside("deformation", deformation.span));
     }
 }
 

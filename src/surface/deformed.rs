@@ -11,7 +11,7 @@ use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::eval::{Backend, Evaluator, Program, Samples, compile};
 use crate::expr::{Derivative, Variable};
 use crate::limits::Limits;
-use crate::problem::{Deformation, Problem};
+use crate::problem::{Deformation, Problem, check_region};
 
 /// A compiled deformation, for any parameters.
 pub struct Bump {
@@ -73,25 +73,8 @@ impl Bump {
             .map_err(|error| Diagnostic::new(Code::SolutionNotFinite, error.to_string()))?;
         let [u_low, u_high, v_low, v_high] = values;
         let found = [[u_low, u_high], [v_low, v_high]];
-        for ((range, [start, end]), variable) in found.into_iter().zip(ranges).zip([Variable::U, Variable::V]) {
-            let ([low, high], name) = (range, variable.name());
-            let refuse = |message: String| Diagnostic::new(Code::RegionDoesNotFit, message).at(self.origin);
-            if !(low.is_finite() && high.is_finite()) {
-                return Err(refuse(format!("the region {name} in [{low}, {high}] is not finite")));
-            }
-            if low >= high {
-                let finding = refuse(format!("the region {name} in [{low}, {high}] is empty"));
-                let advice = if low > high {
-                    format!("write the smaller end first: `{name} in [{high}, {low}]`")
-                } else {
-                    "the lower end must be below the upper end".to_owned()
-                };
-                return Err(finding.hint(advice));
-            }
-            if low < start || high > end {
-                let finding = refuse(format!("the region {name} in [{low}, {high}] leaves the patch"));
-                return Err(finding.hint(format!("the patch has {name} in [{start}, {end}]")));
-            }
+        for ((range, of_patch), variable) in found.into_iter().zip(ranges).zip([Variable::U, Variable::V]) {
+            check_region(variable, range, of_patch, self.origin)?;
         }
         Ok(Region { u: found[0], v: found[1], bump: Arc::clone(self) })
     }

@@ -51,6 +51,8 @@ pub struct Statements {
     pub boundaries: Vec<Boundary>,
     /// `solve` statements; more than one is an error of the next stage.
     pub solves: Vec<SolveStatement>,
+    /// `deform` statements, in source order.
+    pub deformations: Vec<Deformation>,
 }
 
 /// `patch NAME { … }`
@@ -124,12 +126,25 @@ pub struct PdeStatement {
     pub span: Span,
 }
 
-/// `at u = c:` with the constraints stated there.
+/// `deform u in [lo, hi], v in [lo, hi] by [x, y, z] keeping C1`
+#[derive(Debug, Clone, PartialEq)]
+pub struct Deformation {
+    /// Its part of the patch: one range of u and one of v.
+    pub region: [Range; 2],
+    /// The displacement in the middle.
+    pub by: Expression,
+    /// `C0`, `C1` or `C2`.
+    pub continuity: Name,
+    /// The whole statement.
+    pub span: Span,
+}
+
+/// `at u = c:` or `at v = c:` with the constraints stated there.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Boundary {
-    /// The name before the `=`, which must be `u`.
+    /// The name before the `=`, which must be `u` or `v`.
     pub variable: Name,
-    /// The value of u.
+    /// The value of u or v.
     pub position: Expression,
     /// What is stated there.
     pub constraints: Constraints,

@@ -29,8 +29,10 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, MOST_FINDINGS, Source, Sp
 use crate::limits::Limits;
 
 /// Words that are no names.
-const RESERVED_WORDS: &[&str] =
-    &["param", "let", "domain", "pde", "with", "at", "solve", "in", "surface", "seam", "patch", "join", "curve"];
+const RESERVED_WORDS: &[&str] = &[
+    "param", "let", "domain", "pde", "with", "at", "solve", "in", "surface", "seam", "patch", "join", "deform",
+    "keeping", "curve",
+];
 
 /// Parses a spec.
 ///

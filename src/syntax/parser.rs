@@ -120,15 +120,21 @@ fn words(rule: Rule) -> Option<&'static str> {
         | Rule::kw_pde
         | Rule::patch_line
         | Rule::kw_patch
+        | Rule::deform_line
+        | Rule::kw_deform
         | Rule::seam_line
         | Rule::kw_seam
         | Rule::surface_line
         | Rule::kw_surface
-        | Rule::kw_solve => "a statement (`param`, `let`, `surface`, `domain`, `pde`, `at`, `solve`, `patch`, `seam`)",
+        | Rule::kw_solve => {
+            "a statement (`param`, `let`, `surface`, `domain`, `pde`, `at`, `solve`, `deform`, `patch`, `seam`)"
+        }
         Rule::surface => "a name",
         Rule::strength | Rule::kw_strength | Rule::flip => "`strength = …` or `flip`",
         Rule::kw_at => "`at`",
         Rule::kw_in => "`in`",
+        Rule::kw_by => "`by`",
+        Rule::kw_keeping => "`keeping`",
         Rule::kw_with => "`with`",
         Rule::equation => "an equation",
         Rule::word => "a word",

@@ -14,7 +14,8 @@ use crate::expr::greek_letter;
 use crate::limits::Limits;
 
 /// Words that begin a statement and therefore end the one before.
-const STATEMENT_WORDS: &[&str] = &["param", "let", "domain", "pde", "at", "solve", "surface", "seam", "patch", "curve"];
+const STATEMENT_WORDS: &[&str] =
+    &["param", "let", "domain", "pde", "at", "solve", "deform", "surface", "seam", "patch", "curve"];
 
 /// A text that is ready for the grammar.
 pub struct Prepared {

@@ -1,12 +1,12 @@
 //! Parsed lines to statements of the [`Document`].
 
 use super::ast::{
-    Boundary, Constraint, Constraints, Definition, DefinitionKind, Document, Expression, Join, Kind, Name, Parameter,
-    PatchBlock, PdeStatement, Range, Seam, SeamEdge, Setting, SolveStatement, Statements, Unknown,
+    Boundary, Constraint, Constraints, Definition, DefinitionKind, Deformation, Document, Expression, Join, Kind, Name,
+    Parameter, PatchBlock, PdeStatement, Range, Seam, SeamEdge, Setting, SolveStatement, Statements, Unknown,
 };
 use super::expression::Builder;
 use super::parser::{Parsed, Rule};
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::{Derivative, canonical_name};
 
 /// A statement and what it adds to a document.
@@ -23,6 +23,8 @@ pub enum Statement {
     Boundary(Boundary),
     /// Constraints of the boundary block that is open.
     Constraints(Constraints),
+    /// `deform …`
+    Deformation(Deformation),
     /// `solve …`
     Solve(SolveStatement),
     /// `seam …`
@@ -58,6 +60,7 @@ impl Statement {
             Statement::Ranges(ranges) => section.ranges.extend(ranges),
             Statement::Equation(equation) => section.equations.push(equation),
             Statement::Boundary(boundary) => section.boundaries.push(boundary),
+            Statement::Deformation(deformation) => section.deformations.push(deformation),
             Statement::Solve(solve) => section.solves.push(solve),
             Statement::Constraints(constraints) => match section.boundaries.last_mut() {
                 Some(boundary) => {
@@ -156,6 +159,7 @@ impl Builder<'_> {
             }
             Rule::constraints => Statement::Constraints(self.constraints(parts)?),
             Rule::solve_line => Statement::Solve(self.solve(parts)?),
+            Rule::deform_line => Statement::Deformation(self.deformation(parts, whole)?),
             Rule::seam_line => {
                 let mut edges = parts.filter(|part| part.as_rule() == Rule::seam_edge);
                 let edges = [self.seam_edge(edges.next())?, self.seam_edge(edges.next())?];
@@ -165,6 +169,18 @@ impl Builder<'_> {
             Rule::patch_end => Statement::PatchEnds,
             _ => return Err(internal()),
         })
+    }
+
+    fn deformation<'a>(
+        &mut self,
+        parts: impl Iterator<Item = Parsed<'a>>,
+        span: Span,
+    ) -> Result<Deformation, Diagnostic> {
+        let words = [Rule::kw_deform, Rule::kw_by, Rule::kw_keeping];
+        let mut inner = parts.filter(|part| !words.contains(&part.as_rule()));
+        let region = [self.range(take(&mut inner, Rule::range)?)?, self.range(take(&mut inner, Rule::range)?)?];
+        let by = self.take_expression(&mut inner)?;
+        Ok(Deformation { region, by, continuity: self.take_name(&mut inner)?, span })
     }
 
     fn seam_edge(&mut self, part: Option<Parsed<'_>>) -> Result<SeamEdge, Diagnostic> {

@@ -22,7 +22,7 @@ impl Folder {
         self.0.path().join(name)
     }
 
-    fn spec(&self, text: impl AsRef<[u8]>) -> String {
+    pub fn spec(&self, text: impl AsRef<[u8]>) -> String {
         let path = self.path("spec.trim");
         std::fs::write(&path, text).expect("the folder can be written");
         path.to_string_lossy().into_owned()

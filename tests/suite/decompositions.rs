@@ -89,7 +89,8 @@ proptest! {
         v in 0.0..7.0_f64,
         t in -1.0..2.0_f64,
     ) {
-        for (name, text) in examples() {
+        // Data on four sides are not factored.
+        for (name, text) in examples().into_iter().filter(|(_, text)| !patch(&problem(text)).is_four_sided()) {
             let error = resummation_error(&text, &factors, [v, t]);
             // Some tens of roundings, of functions with arguments up to about 15.
             prop_assert!(error < 1e-13, "{name}: {error:.1e}");

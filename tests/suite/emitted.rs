@@ -73,6 +73,8 @@ fn cases() -> Vec<Case> {
         .expect("examples")
         .map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned())
         .filter_map(|name| name.strip_suffix(".trim").map(str::to_owned))
+        // No sums of products: refused, which the tests of specs with four sides look at.
+        .filter(|name| !["four_sided", "deformed"].contains(&name.as_str()))
         .collect();
     names.sort();
     assert!(names.len() >= 12, "{names:?}");

@@ -30,6 +30,8 @@ mod fields;
 mod fitting;
 mod formatting;
 mod four_sided;
+#[cfg(feature = "cli")]
+mod four_sided_specs;
 mod fourier;
 mod kernels;
 mod language;

@@ -152,10 +152,12 @@ fn every_example_meets_its_boundary_data_at_every_instant() {
             let patch = patch(&prepared.problem);
             let numbers = (&prepared.bindings, &prepared.domain, t);
             let found = verify(&prepared.problem, patch, &*solution.surface, numbers).expect("finite data");
-            assert_eq!(found.boundary_errors.len(), 4);
+            assert_eq!(found.boundary_errors.len(), patch.conditions.len() + patch.side_conditions.len());
             // Interpolation is exact; what is left is rounding of sums of a few terms the size of the surface.
             assert!(found.boundary_error() <= 1e-12 * found.size.max(1.0), "{name} t = {t}: {found:?}");
-            assert!(found.residual.is_finite() && found.largest_term > 0.0, "{name} t = {t}: {found:?}");
+            // A cubic has no fourth derivative, so an equation of that term alone has no size.
+            let has_size = found.largest_term > 0.0 || patch.operator.terms.len() == 1;
+            assert!(found.residual.is_finite() && has_size, "{name} t = {t}: {found:?}");
         }
     }
 }

@@ -5,8 +5,8 @@ use std::fmt::Write;
 use clap::Args;
 use serde::Serialize;
 
-use trimline::expr::Notation;
-use trimline::problem::{Explanation, Patch, describe_condition};
+use trimline::expr::{Notation, Variable};
+use trimline::problem::{Explanation, Patch, describe};
 use trimline::verify::{JoinDeviation, Verification, verify_joins};
 
 use crate::Outcome;
@@ -87,13 +87,18 @@ struct Explained {
     equation: String,
     domain: String,
     constraints: String,
+    #[serde(skip_serializing_if = "String::is_empty")]
+    deformations: String,
     #[serde(skip)]
     whole: String,
 }
 
 #[derive(Serialize)]
 struct Boundary {
-    u: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    u: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    v: Option<f64>,
     order: usize,
     max_error: f64,
 }
@@ -254,10 +259,14 @@ fn patch_report(
     times: Vec<f64>,
 ) -> Result<PatchReport, Failure> {
     let mut boundaries = Vec::new();
-    for (condition, max_error) in patched.prepared.patch().conditions.iter().zip(&worst.boundary_errors) {
-        let u = spec.bindings.constant(&spec.problem, condition.u, None, "the position of a boundary");
-        let u = u.map_err(|finding| spec.fault(finding))?;
-        boundaries.push(Boundary { u, order: condition.order, max_error: *max_error });
+    let patch = patched.prepared.patch();
+    let at_u = patch.conditions.iter().map(|condition| (Variable::U, condition.u, condition.order));
+    let at_v = patch.side_conditions.iter().map(|condition| (Variable::V, condition.v, condition.order));
+    for ((across, position, order), max_error) in at_u.chain(at_v).zip(&worst.boundary_errors) {
+        let position = spec.bindings.constant(&spec.problem, position, None, "the position of a boundary");
+        let position = position.map_err(|finding| spec.fault(finding))?;
+        let (u, v) = if across == Variable::U { (Some(position), None) } else { (None, Some(position)) };
+        boundaries.push(Boundary { u, v, order, max_error: *max_error });
     }
     Ok(PatchReport {
         name: patched.prepared.patch().name.clone(),
@@ -276,8 +285,8 @@ fn explanations(spec: &Spec, patch: &Patch) -> Result<Explanations, Failure> {
     let explained = |notation: Notation| {
         let explanation = spec.problem.explain(patch, notation, &spec.limits).map_err(|finding| spec.fault(finding))?;
         let whole = explanation.to_text();
-        let Explanation { parameters: params, equation, domain, constraints } = explanation;
-        Ok::<_, Failure>(Explained { params, equation, domain, constraints, whole })
+        let Explanation { parameters: params, equation, domain, constraints, deformations } = explanation;
+        Ok::<_, Failure>(Explained { params, equation, domain, constraints, deformations, whole })
     };
     Ok(Explanations { unicode: explained(Notation::Unicode)?, latex: explained(Notation::Latex)? })
 }
@@ -296,7 +305,9 @@ fn text(report: &Report) -> String {
         }
         let _ = writeln!(text, "patch {}: method {}, {when}", patch.name, patch.method);
         for boundary in &patch.boundaries {
-            let what = describe_condition(None, boundary.order, boundary.u);
+            let across = if boundary.u.is_some() { Variable::U } else { Variable::V };
+            let position = boundary.u.or(boundary.v).unwrap_or(f64::NAN);
+            let what = describe(None, boundary.order, across, position);
             let _ = writeln!(text, "  {what:20} largest error {}", rounded(boundary.max_error));
         }
         for join in &patch.joins {

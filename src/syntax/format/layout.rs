@@ -106,7 +106,10 @@ impl Reader {
             Kind::Sign if !self.follows_operand() => Kind::Root,
             Kind::Open | Kind::Close if is_block => Kind::Comma,
             Kind::Word
-                if matches!(&*token.text, "in" | "with" | "param" | "let" | "domain" | "pde" | "at" | "solve") =>
+                if matches!(
+                    &*token.text,
+                    "in" | "with" | "param" | "let" | "domain" | "pde" | "at" | "solve" | "keeping"
+                ) =>
             {
                 Kind::Comma
             }

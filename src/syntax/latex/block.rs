@@ -132,7 +132,7 @@ impl<'a> Block<'a> {
         self.spelling.put(text, token.span, Piece::Mark);
     }
 
-    /// Whether a row begins with `u =`, which opens the constraints at that u.
+    /// Whether a row begins with `u =` or `v =`, which opens the constraints there.
     fn opens_position(&self, token: &Token<'_>) -> bool {
         let mut at = token.span.end;
         let mut next = || {
@@ -143,7 +143,7 @@ impl<'a> Block<'a> {
         let after = next().and_then(|token| if token.is_symbol("&") { next() } else { Some(token) });
         self.is_list
             && self.groups.is_outside()
-            && token.is_letter("u")
+            && (token.is_letter("u") || token.is_letter("v"))
             && after.is_some_and(|token| token.is_symbol("="))
     }
 
