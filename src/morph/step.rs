@@ -9,7 +9,7 @@ use crate::surface::Surface;
 /// `Σ weight · surface`: for example a frame between two numbers of modes.
 pub struct WeightedSurface {
     /// Weights and surfaces, over the same domain.
-    pub parts: Vec<(f64, Arc<dyn Surface>)>,
+    pub parts: Vec<(f64, Arc<dyn Surface + Send + Sync>)>,
 }
 
 impl Surface for WeightedSurface {

@@ -18,7 +18,7 @@ use crate::workflow::{Patched, Spec, common_times};
 const SERIES: &str = "fourier";
 
 /// The surfaces of all patches at one frame.
-pub type Surfaces = Vec<Arc<dyn Surface>>;
+pub type Surfaces = Vec<Arc<dyn Surface + Send + Sync>>;
 
 /// What a patch of the problem between is prepared for.
 type Preparation = (usize, Option<usize>);
@@ -92,7 +92,7 @@ impl<'a> Shapes<'a> {
         let here = self.spec.with(&[format!("{}={:?}", trimline::morph::EPSILON, frame.epsilon)])?;
         let mut surfaces = Surfaces::new();
         for patch in 0..self.spec.patches.len() {
-            let mut parts: Vec<(f64, Arc<dyn Surface>)> = Vec::new();
+            let mut parts: Vec<(f64, Arc<dyn Surface + Send + Sync>)> = Vec::new();
             for (weight, modes) in numbers_of_modes(frame.modes) {
                 let time = self.time;
                 let solution = here.solve(self.prepare((patch, modes))?, time)?.solution;
