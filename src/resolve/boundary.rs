@@ -137,7 +137,7 @@ fn resolve(
         return None;
     };
     collected.sort_by(|a, b| a.position.total_cmp(&b.position).then(a.order.cmp(&b.order)));
-    let whole = here().last().map(|boundary| reading.tree.span(boundary.position)).or(frame.place);
+    let whole = here().next_back().map(|boundary| reading.tree.span(boundary.position)).or(frame.place);
     let complete = check_complete(&collected, whole, across, order, range);
     if let Err(findings) = complete {
         findings.into_iter().for_each(|finding| reading.report(finding));
