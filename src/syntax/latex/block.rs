@@ -131,8 +131,7 @@ impl<'a> Block<'a> {
             TokenKind::Command => self.command(&token)?,
         }
         // A power of the function and blanks stand before its argument.
-        let is_blank =
-            token.kind == TokenKind::Command && commands::meaning(token.text) == Some(Meaning::Nothing);
+        let is_blank = token.kind == TokenKind::Command && commands::meaning(token.text) == Some(Meaning::Nothing);
         if self.function == function && !(token.is_symbol("^") || token.kind == TokenKind::LineEnd || is_blank) {
             self.function = None;
         }
