@@ -160,7 +160,7 @@ impl Lowering<'_> {
         }
         match self.scope.meaning(&name.text).cloned() {
             Some(Meaning::Function(formals, body)) => {
-                self.check_visible(name, body)?;
+                self.check_visible(name, body, 0)?;
                 let values = self.scalars(arguments, known)?;
                 if values.len() != formals.len() {
                     return Err(wrong_arity(&name.text, formals.len(), values.len(), span));

@@ -225,6 +225,8 @@ impl Lowering<'_> {
             let finding = Diagnostic::new(Code::WrongArity, message).at(span);
             return Err(finding.hint(format!("its parameters are {}", surface.parameter_names())));
         }
+        // Only what no argument replaces can depend on a coordinate of the place of use.
+        self.check_visible(name, Value::Vector(surface.position), arguments.len())?;
         let replacements = surface.replacements(arguments, self);
         let position = components(self.differentiated(Value::Vector(surface.position), orders, span)?);
         let position = position.map(|expr| self.graph.substitute(expr, &replacements));
@@ -232,14 +234,13 @@ impl Lowering<'_> {
             Some(expr) => Value::Scalar(*expr),
             None => Value::Vector(position),
         };
-        self.check_visible(name, value)?;
         Ok(Form::of(value))
     }
 
     /// Inside a surface only its own parameters are coordinates.
     ///
-    /// `value` is what `name`, declared outside, stands for.
-    pub fn check_visible(&self, name: &Name, value: Value) -> Result<(), Diagnostic> {
+    /// `value` is what `name`, declared outside, stands for; its first `replaced` coordinates are arguments.
+    pub fn check_visible(&self, name: &Name, value: Value, replaced: usize) -> Result<(), Diagnostic> {
         let hidden = self.scope.hidden_from(&name.text);
         let parts = match value {
             Value::Scalar(expr) => vec![expr],
@@ -248,7 +249,7 @@ impl Lowering<'_> {
         for expr in parts {
             let depends = self.graph.dependence(expr);
             let depends = [depends.u, depends.v, depends.t];
-            for ((variable, depends), hidden) in Variable::ALL.iter().zip(depends).zip(hidden) {
+            for ((variable, depends), hidden) in Variable::ALL.iter().zip(depends).zip(hidden).skip(replaced) {
                 if depends && hidden {
                     let coordinate = variable.name();
                     let message = if name.text == coordinate {
@@ -273,7 +274,7 @@ impl Lowering<'_> {
             return Err(finding.hint(format!("write `{}({})`", name.text, surface.parameter_names())));
         }
         let value = plain(meaning, name.span)?;
-        self.check_visible(name, value)?;
+        self.check_visible(name, value, 0)?;
         Ok(value)
     }
 }

@@ -183,14 +183,42 @@ fn fractions_roots_and_powers_have_their_groups() {
     same(r"v/2 \cdot 10^{3}", "(v/2)*1000");
     same(r"\sin 2 \cdot 10^{3} v", "sin(2)*1000*v");
     same(
-        r"\sqrt{2}v + \sin{v}t + e^t(1 + v) + \frac{1}{2}\cos 2\pi v",
+        r"\sqrt{2}v + t\sin{v} + e^t(1 + v) + \frac{1}{2}\cos 2\pi v",
         "sqrt(2)*v + sin(v)*t + e^t*(1 + v) + cos(2*pi*v)/2",
     );
     same("v^2t", "v^2*t");
     same("v^{-1}", "1/v");
-    same("{v + t}k", "(v + t)*k");
+    same(r"{v}k{\alpha} + {\left(v + t\right)}k", "v*k*alpha + (v + t)*k");
     same(r"\sin^2 v + \cos^{2} v", "sin(v)^2 + cos(v)^2");
     same(r"v^{\frac{1}{3}}", "v^(1/3)");
+}
+
+#[test]
+fn bare_argument_that_begins_with_a_group_is_that_group() {
+    same(r"\sin\frac{v}{2}\cos\frac{v}{3}", "sin(v/2)*cos(v/3)");
+    same(r"\sin\frac{v}{2} \operatorname{arsinh} v + t", "sin(v/2)*asinh(v) + t");
+    same(r"\frac{\sin\frac{v}{2}}{3} t \cdot \sin 2\frac{a}{3} v", "sin(v/2)/3*t*sin(2*a/3*v)");
+    same(r"\sin{5v} + \cos{v}", "sin(5*v) + cos(v)");
+}
+
+#[test]
+fn root_in_a_bare_argument_is_that_of_the_plain_notation() {
+    same(r"\sin\sqrt{2} v", "sin √2 v");
+    same(r"\sin 2\sqrt{a} v", "sin 2√a v");
+}
+
+#[test]
+fn letter_e_apart_from_digits_is_eulers_number() {
+    same("2e - 3 + 2e^{3}v + 2ev", "2*exp(1) - 3 + 2*exp(3)*v + 2*exp(1)*v");
+}
+
+#[test]
+fn vector_is_a_row_or_a_column() {
+    for components in [r"\cos v & 0 & 0 \\", r"\cos v \\ 0 \\ 0 \\"] {
+        let value = format!(r"$$\begin{{bmatrix}} {components} \end{{bmatrix}}$$");
+        let text = format!("at u = 0: S = {value}, dS/du = 0\nat u = 1: S = 0, dS/du = 0");
+        assert_eq!(basis(&text), basis(&with_data("cos v")), "{components}");
+    }
 }
 
 #[test]
@@ -304,6 +332,28 @@ const REFUSED: &[(&str, Code, &str, &str)] = &[
     (r"\mathrm{swift} v", Code::UnknownName, r"\mathrm{swift}", "swift"),
     (r"\frac{\partial S}{\partial u}", Code::NotBoundaryData, r"\frac{\partial S}{\partial u}", "to be found"),
     (r"\frac{\partial^2 S}{\partial u}", Code::UnexpectedText, r"\frac{\partial^2 S}{\partial u}", "order 2 above"),
+    (r"\sin\frac{1}{2}v", Code::AmbiguousExpression, r"\sin\frac{1}{2}v", r"`\sin(\frac{1}{2}) v`"),
+    (r"\sin\frac{1}{2}v", Code::AmbiguousExpression, r"\sin\frac{1}{2}v", r"`\sin(\frac{1}{2} v)`"),
+    (r"\exp\,\frac{1}{2}\pi", Code::AmbiguousExpression, r"\exp\,\frac{1}{2}\pi", "belong to the argument"),
+    (r"\sin^2\frac{\pi}{2} v", Code::AmbiguousExpression, r"\sin^2\frac{\pi}{2} v", "belong to the argument"),
+    (r"\sin\frac{1}{2}\left(v\right)", Code::AmbiguousExpression, r"\sin\frac{1}{2}\left", "belong to the argument"),
+    (r"\operatorname{arsinh}{2}v", Code::AmbiguousExpression, r"\operatorname{arsinh}{2}v", "(2 v)"),
+    (r"\sin{v}/2", Code::AmbiguousExpression, r"\sin{v}/", "belong to the argument"),
+    (r"\sin{v + 1}", Code::AmbiguousExpression, "{v + 1}", "`(v + 1)`"),
+    (r"2e3", Code::AmbiguousExpression, "2e3", r"`2 \cdot 10^{3}`"),
+    (r"1e-3 v", Code::AmbiguousExpression, "1e-3", "`1 e -3`"),
+    (r"1.5E+3", Code::AmbiguousExpression, "1.5E+3", r"`1.5 \cdot 10^{3}`"),
+    (r"2{v+1}", Code::AmbiguousExpression, "{v+1}", "TeX does not show"),
+    (r"v{-1}", Code::AmbiguousExpression, "{-1}", "`(-1)`"),
+    (r"{-v}^2", Code::AmbiguousExpression, "{-v}", "`(-v)`"),
+    (r"v^{}", Code::UnexpectedText, "{}", "an exponent is missing"),
+    (r"v^", Code::UnexpectedText, "^", "an exponent is missing"),
+    (r"\frac{}{v}", Code::UnexpectedText, "{}", "a numerator is missing"),
+    (r"\frac{v}{}", Code::UnexpectedText, "{}", "a denominator is missing"),
+    (r"\sqrt{}", Code::UnexpectedText, "{}", "is missing"),
+    (r"v^2^2", Code::AmbiguousExpression, "^2^", "two exponents"),
+    (r"v^{a + 1}^2", Code::AmbiguousExpression, "{a + 1}^", "two exponents"),
+    (r"\begin{bmatrix}1&2\\3\end{bmatrix}", Code::UnsupportedLatex, r"\\", "several rows and columns"),
     (r"v + * t", Code::UnexpectedText, "*", "expected"),
 ];
 

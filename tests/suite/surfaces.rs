@@ -112,6 +112,40 @@ fn surfaces_are_made_of_surfaces_and_definitions() {
     assert_eq!(text(1).to_vec(), data("[32 v, 4 sin(v), 0]").to_vec());
 }
 
+/// Two values under further declarations are the same expressions.
+fn nested(declarations: &str, value: &str, by_hand: &str) {
+    let text = |value: &str| {
+        let text = format!("{SURFACES}{declarations}\nat u = 0: S = {value}, dS/du = 0\nat u = 1: S = 0, dS/du = 0");
+        let problem = problem(&text);
+        problem.patches[0].conditions[0]
+            .value
+            .map(|id| problem.graph.text(id, Notation::Ascii, 1 << 12).expect("short"))
+    };
+    assert_eq!(text(value), text(by_hand), "{declarations}");
+}
+
+#[test]
+fn surface_uses_an_earlier_one_under_names_of_its_own() {
+    nested("surface D(p, q) = 2 B(p, q)", "D(3, v)", "2 [3 v^2, sin(3) v, 27 + t]");
+    nested("surface D(p, q) = B(q, p)", "D(v, 3)", "[3 v^2, sin(3) v, 27 + t]");
+    nested("surface D(v, u) = B(v, u)", "D(3, v)", "[3 v^2, sin(3) v, 27 + t]");
+    nested("surface D(p, q, s) = A(q, p, s)", "D(v, 2, t)", "A(2, v, t)");
+}
+
+#[test]
+fn derivative_of_a_nested_surface_follows_the_chain_of_names() {
+    nested("surface D(p, q) = B(q, 2p)", "∂D(v, 3)/∂p", "[24 v, 2 sin(3), 0]");
+    nested("surface D(p, q) = ∂B(q, p)/∂p", "D(v, 3)", "[v^2, cos(3) v, 27]");
+}
+
+#[test]
+fn time_of_a_surface_of_two_parameters_is_hidden_where_another_time_is_declared() {
+    let text =
+        format!("{SURFACES}surface D(p, q, s) = B(p, q)\nat u = 0: S = 0, dS/du = 0\nat u = 1: S = 0, dS/du = 0");
+    let found = findings(&text);
+    assert!(found[0].starts_with("E0201 `B` `B` depends on `t`"), "{found:?}");
+}
+
 #[test]
 fn join_is_position_tangent_and_curvature_up_to_half_the_order() {
     let conditions = |pde: &str, join: &str| {

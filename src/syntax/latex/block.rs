@@ -22,6 +22,8 @@ pub struct Block<'a> {
     row: Row,
     /// The token before this one.
     previous: Option<Token<'a>>,
+    /// The function whose argument has not begun.
+    pub(super) function: Option<Span>,
 }
 
 /// How far a row has been read.
@@ -50,6 +52,7 @@ impl<'a> Block<'a> {
             groups: Groups::default(),
             row: Row::default(),
             previous: None,
+            function: None,
         }
     }
 
@@ -108,6 +111,8 @@ impl<'a> Block<'a> {
         let is_first = !self.row.is_begun && !token.is_symbol("&") && token.kind != TokenKind::LineEnd;
         let is_rows = token.is_command("begin") && self.groups.is_outside();
         self.row.is_begun |= is_first && !is_rows;
+        self.count_unseen(&token);
+        let function = self.function;
         match token.kind {
             TokenKind::Letter if is_first && self.opens_position(&token) => {
                 self.spelling.put("at", token.span, Piece::Word);
@@ -115,17 +120,27 @@ impl<'a> Block<'a> {
                 self.row.is_position = true;
             }
             TokenKind::Letter => self.letter(token.text, token.span)?,
-            TokenKind::Number => self.number(&token),
+            TokenKind::Number => self.number(&token)?,
             TokenKind::Open => self.open_brace(&token),
             TokenKind::Close => self.close_brace(&token)?,
-            TokenKind::Break => self.row_end(&token),
-            TokenKind::LineEnd if self.is_list => self.row_end(&token),
+            TokenKind::Break => self.row_end(&token)?,
+            TokenKind::LineEnd if self.is_list => self.row_end(&token)?,
             TokenKind::LineEnd => self.mark(" ", &token),
             TokenKind::Dollars => return Err(unsupported("`$$` inside another block", token.span)),
             TokenKind::Symbol => self.symbol(&token)?,
             TokenKind::Command => self.command(&token)?,
         }
+        // A power of the function and blanks stand before its argument.
+        let is_blank = token.kind == TokenKind::Command && commands::meaning(token.text) == Some(Meaning::Nothing);
+        if self.function == function && !(token.is_symbol("^") || token.kind == TokenKind::LineEnd || is_blank) {
+            self.function = None;
+        }
         Ok(())
+    }
+
+    /// Whether a line end here ends a row.
+    pub(super) fn ends_rows(&self) -> bool {
+        self.is_list && self.groups.is_outside()
     }
 
     pub(super) fn mark(&mut self, text: &str, token: &Token<'_>) {
@@ -158,10 +173,10 @@ impl<'a> Block<'a> {
     }
 
     /// `\\`, or a line end of a list: both end a row, and components inside a matrix.
-    fn row_end(&mut self, token: &Token<'_>) {
+    fn row_end(&mut self, token: &Token<'_>) -> Result<(), Diagnostic> {
         let is_break = token.kind == TokenKind::Break;
         match self.groups.last() {
-            Some(Group::Matrix(_)) if is_break => self.mark(", ", token),
+            Some(Group::Matrix(..)) if is_break => self.component_end(token)?,
             None | Some(Group::Rows(_)) => {
                 self.end_position(token.span);
                 self.mark("\n", token);
@@ -169,12 +184,13 @@ impl<'a> Block<'a> {
             }
             Some(_) => self.mark(" ", token),
         }
+        Ok(())
     }
 
     fn symbol(&mut self, token: &Token<'a>) -> Result<(), Diagnostic> {
         let is_outside = self.groups.is_outside();
         match token.text {
-            "&" if matches!(self.groups.last(), Some(Group::Matrix(_))) => self.mark(", ", token),
+            "&" if matches!(self.groups.last(), Some(Group::Matrix(..))) => self.component_end(token)?,
             "&" => {}
             "(" if is_outside && self.is_list && self.equation_number(token.span.start).is_some() => {
                 let end = self.equation_number(token.span.start).unwrap_or(token.span.end);
@@ -301,7 +317,8 @@ impl<'a> Block<'a> {
 
     /// A number; `2 \cdot 10^{-3}` is the number `2e-3`, to the last digit, where it begins a term: in
     /// `\sin 2 \cdot 10^{-3}` and `v/2 \cdot 10^{-3}` the dot is an operator like any other.
-    fn number(&mut self, token: &Token<'a>) {
+    fn number(&mut self, token: &Token<'a>) -> Result<(), Diagnostic> {
+        self.check_exponent_letter(token)?;
         let begins_term = self.previous.is_none_or(|before| match before.kind {
             TokenKind::Open | TokenKind::Break | TokenKind::LineEnd => true,
             TokenKind::Symbol => "+-−=,;([&".contains(before.text),
@@ -320,11 +337,12 @@ impl<'a> Block<'a> {
         };
         let Some((exponent, end)) = power else {
             self.spelling.put(token.text, token.span, Piece::Word);
-            return;
+            return Ok(());
         };
         self.at = end;
         let number = format!("{}e{exponent}", mantissa.unwrap_or(token.text));
         self.spelling.put(&number, Span::new(token.span.start, end), Piece::Word);
+        Ok(())
     }
 
     /// The exponent in `^{-3}` at `at`, and where it ends.
@@ -358,6 +376,7 @@ impl<'a> Block<'a> {
             }
             _ => self.spelling.put(name, token.span, Piece::Word),
         }
+        self.function = Some(Span::new(token.span.start, self.at));
     }
 
     /// `\quad` separates two equations of a row; elsewhere it is a blank.

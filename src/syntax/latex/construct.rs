@@ -2,7 +2,7 @@
 
 use super::block::Block;
 use super::commands::{self, Meaning};
-use super::group::Group;
+use super::group::{Group, Unseen};
 use super::spelling::Piece;
 use super::token::{self, Token, TokenKind};
 use super::unsupported;
@@ -97,6 +97,7 @@ impl<'a> Block<'a> {
         let place = Span::new(command.span.start, self.at);
         if let Some(function) = commands::upright_function(&word) {
             self.spelling.put(function, place, Piece::Word);
+            self.function = Some(place);
             return Ok(());
         }
         if RESERVED_WORDS.contains(&word.as_str()) || !word.starts_with(char::is_alphabetic) {
@@ -165,27 +166,54 @@ impl<'a> Block<'a> {
     pub(super) fn open_brace(&mut self, token: &Token<'a>) {
         // `{}` only keeps things apart in TeX.
         if self.take(TokenKind::Close).is_none() {
-            self.groups.open(Group::Braces, token.span);
+            self.begin_argument(token.span.start);
+            self.groups.open(Group::Unseen(Unseen::default()), token.span);
             self.mark("(", token);
+        }
+    }
+
+    /// Lets the group at `start` be the argument of the function before it, if there is one.
+    fn begin_argument(&mut self, start: usize) {
+        if let Some(function) = self.function {
+            self.groups.begin_argument(function, start);
         }
     }
 
     pub(super) fn close_brace(&mut self, token: &Token<'a>) -> Result<(), Diagnostic> {
         let is_brace =
-            |group: &Group| !matches!(group, Group::Bracket(_) | Group::Absolute | Group::Rows(_) | Group::Matrix(_));
+            |group: &Group| !matches!(group, Group::Bracket(_) | Group::Absolute | Group::Rows(_) | Group::Matrix(..));
+        let open = self.groups.place().unwrap_or(token.span);
         match self.groups.close(token, is_brace)? {
             above @ (Group::Above | Group::DerivativeAbove) => {
                 let Some(open) = self.take(TokenKind::Open) else {
                     return Err(unsupported("a fraction without a denominator in braces", token.span));
                 };
+                self.check_filled(&open, "a denominator")?;
                 let bar = token.span.to(open.span);
                 let (below, text) =
                     if above == Group::Above { (Group::Below, ")/(") } else { (Group::DerivativeBelow, "/") };
                 self.groups.open(below, open.span);
                 self.spelling.put(text, bar, Piece::Mark);
             }
-            Group::Below => self.mark("))", token),
+            Group::Below => {
+                self.mark("))", token);
+                if let Some(argument) = self.groups.end_argument() {
+                    self.check_argument_ends(argument, token.span.end)?;
+                }
+            }
             Group::DerivativeBelow => self.spelling.extend(token.span.end),
+            Group::Unseen(unseen) => {
+                self.mark(")", token);
+                let argument = self.groups.end_argument();
+                self.check_unseen(unseen, open.to(token.span), argument.is_some())?;
+                if let Some(argument) = argument {
+                    self.check_argument_ends(argument, token.span.end)?;
+                }
+            }
+            Group::Exponent => {
+                self.mark(")", token);
+                self.check_one_exponent(open)?;
+            }
             _ => self.mark(")", token),
         }
         Ok(())
@@ -212,6 +240,8 @@ impl<'a> Block<'a> {
                 ),
             ));
         }
+        self.check_filled(&open, "a numerator")?;
+        self.begin_argument(command.span.start);
         self.groups.open(Group::Above, open.span);
         self.spelling.put("((", place, Piece::Mark);
         Ok(())
@@ -271,10 +301,28 @@ impl<'a> Block<'a> {
             let finding = unsupported("a root without braces, or with an index", command.span);
             return Err(finding.hint(r"write `\sqrt{x}`; other roots are powers: `x^{1/3}`"));
         };
+        self.check_filled(&open, "the value under a root")?;
         self.groups.open(Group::Braces, open.span);
-        self.spelling.put("sqrt", command.span, Piece::Word);
+        // Not `sqrt`, which as a function would end the argument of one before it.
+        self.mark("√", command);
         self.mark("(", &open);
         Ok(())
+    }
+
+    /// Refuses `{}` where TeX would leave a gap.
+    fn check_filled(&self, open: &Token<'_>, what: &str) -> Result<(), Diagnostic> {
+        let close = self.peek().filter(|next| next.kind == TokenKind::Close);
+        close.map_or(Ok(()), |close| Err(missing(what, open.span.to(close.span))))
+    }
+
+    /// Refuses `v^2^2`, which TeX refuses too; `mark` is the first exponent.
+    fn check_one_exponent(&self, mark: Span) -> Result<(), Diagnostic> {
+        let second = self.peek().filter(|next| next.is_symbol("^"));
+        second.map_or(Ok(()), |second| {
+            Err(Diagnostic::new(Code::AmbiguousExpression, "two exponents of one base can be read in two ways")
+                .at(mark.to(second.span))
+                .hint("write `{a^b}` for the exponent, or brackets round the first power: `(v^a)^b`"))
+        })
     }
 
     /// `^2`, `^t`, `^{…}`: as in TeX an exponent without braces is one character.
@@ -293,13 +341,22 @@ impl<'a> Block<'a> {
             (TokenKind::Command, Some(Meaning::Fraction | Meaning::Root | Meaning::Sizing)) => return Ok(()),
             _ => None,
         };
+        let is_missing = match next.kind {
+            TokenKind::Close | TokenKind::Break | TokenKind::LineEnd | TokenKind::Dollars => true,
+            TokenKind::Symbol => ",;.=)]&+*/".contains(next.text),
+            TokenKind::Command => ["]", "end", "quad", "qquad", "right"].contains(&next.text),
+            _ => false,
+        };
+        if is_missing {
+            return Err(missing("an exponent", mark.span));
+        }
         let Some(letter) = letter else {
             return Err(unsupported("an exponent of several characters without braces", mark.span.to(next.span))
                 .hint("write `^{…}`"));
         };
         self.at = next.span.end;
         self.spelling.put(&letter, next.span, Piece::Word);
-        Ok(())
+        self.check_one_exponent(mark.span)
     }
 
     fn exponent_in_braces(&mut self, open: &Token<'a>) -> Result<(), Diagnostic> {
@@ -317,6 +374,7 @@ impl<'a> Block<'a> {
             _ => None,
         };
         self.at = open.span.end;
+        self.check_filled(open, "an exponent")?;
         match number.filter(|(_, number, _)| number.kind == TokenKind::Number) {
             Some((minus, number, close)) => {
                 if let Some(minus) = minus {
@@ -325,9 +383,10 @@ impl<'a> Block<'a> {
                 self.spelling.put(number.text, number.span, Piece::Word);
                 self.spelling.extend(close.span.end);
                 self.at = close.span.end;
+                self.check_one_exponent(open.span)?;
             }
             None => {
-                self.groups.open(Group::Braces, open.span);
+                self.groups.open(Group::Exponent, open.span);
                 self.mark("(", open);
             }
         }
@@ -360,13 +419,13 @@ impl<'a> Block<'a> {
                 self.groups.open(Group::Rows(name.to_owned()), place);
             }
             "bmatrix" | "pmatrix" => {
-                self.groups.open(Group::Matrix(name.to_owned()), place);
+                self.groups.open(Group::Matrix(name.to_owned(), None), place);
                 self.spelling.put("[", place, Piece::Mark);
             }
             "array" => {
                 // The columns `{c}`; the brackets stand around it: `\left[\begin{array}{c} … \end{array}\right]`.
                 self.remark(command)?;
-                self.groups.open(Group::Matrix(name.to_owned()), place);
+                self.groups.open(Group::Matrix(name.to_owned(), None), place);
             }
             _ => {
                 return Err(unsupported(&format!("the environment `{name}`"), place)
@@ -379,11 +438,31 @@ impl<'a> Block<'a> {
     pub(super) fn end(&mut self, command: &Token<'a>) -> Result<(), Diagnostic> {
         let (name, place) = self.environment(command)?;
         let end = Token { text: "end", span: place, ..*command };
-        let is_closed = |group: &Group| matches!(group, Group::Rows(open) | Group::Matrix(open) if open == name);
+        let is_closed = |group: &Group| matches!(group, Group::Rows(open) | Group::Matrix(open, _) if open == name);
         match self.groups.close(&end, is_closed)? {
-            Group::Matrix(name) if name != "array" => self.spelling.put("]", place, Piece::Mark),
+            Group::Matrix(name, _) if name != "array" => self.spelling.put("]", place, Piece::Mark),
             _ => {}
         }
+        Ok(())
+    }
+
+    /// `&` or `\\` between two components; a vector has one kind of them.
+    pub(super) fn component_end(&mut self, token: &Token<'_>) -> Result<(), Diagnostic> {
+        let mut at = self.at;
+        let after = std::iter::from_fn(|| {
+            let token = token::next(self.source, at)?;
+            at = token.span.end;
+            Some(token)
+        })
+        .find(|token| token.kind != TokenKind::LineEnd);
+        let is_last = token.kind == TokenKind::Break && after.is_some_and(|after| after.is_command("end"));
+        if let Some(separator) = self.groups.separator().filter(|_| !is_last)
+            && *separator.get_or_insert(token.kind) != token.kind
+        {
+            let finding = unsupported("a matrix of several rows and columns", token.span);
+            return Err(finding.hint("a vector is one column or one row of components"));
+        }
+        self.mark(", ", token);
         Ok(())
     }
 
@@ -399,4 +478,9 @@ impl<'a> Block<'a> {
         self.at += name.len() + 2;
         Ok((name, Span::new(start, self.at)))
     }
+}
+
+/// A finding for a group that is empty.
+fn missing(what: &str, span: Span) -> Diagnostic {
+    Diagnostic::new(Code::UnexpectedText, format!("{what} is missing")).at(span).hint("write it between the braces")
 }

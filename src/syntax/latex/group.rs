@@ -1,6 +1,6 @@
 //! Open groups of a block, innermost last.
 
-use super::token::Token;
+use super::token::{Token, TokenKind};
 use crate::diagnostic::{Code, Diagnostic, Span};
 
 /// What is open.
@@ -10,8 +10,12 @@ pub enum Group {
     Bracket(char),
     /// `\left|` or `\lvert`
     Absolute,
-    /// Braces that are brackets.
+    /// Braces of a root, which are brackets.
     Braces,
+    /// Braces of an exponent.
+    Exponent,
+    /// Braces that TeX does not show.
+    Unseen(Unseen),
     /// The numerator of a fraction.
     Above,
     /// The denominator of a fraction.
@@ -22,8 +26,28 @@ pub enum Group {
     DerivativeBelow,
     /// An environment of rows, such as `aligned`, and its name.
     Rows(String),
-    /// An environment of components, such as `bmatrix`, and its name.
-    Matrix(String),
+    /// An environment of components, such as `bmatrix`, its name, and what separates them: `&` or `\\`.
+    Matrix(String, Option<TokenKind>),
+}
+
+/// What stands between braces that TeX does not show.
+#[derive(Debug, Default, Clone, Copy, PartialEq, Eq)]
+pub struct Unseen {
+    /// Letters, numbers, commands and groups, and what stands between them.
+    pub atoms: usize,
+    /// Whether an operator is among them.
+    pub has_operator: bool,
+}
+
+/// An argument that begins with braces or a fraction: nothing shows where it ends.
+#[derive(Debug, Clone, Copy)]
+pub struct Argument {
+    /// The function.
+    pub function: Span,
+    /// Where the argument begins.
+    pub start: usize,
+    /// How many groups are open around it.
+    depth: usize,
 }
 
 impl Group {
@@ -33,7 +57,7 @@ impl Group {
             Group::Bracket(']') => "`[`".to_owned(),
             Group::Bracket(_) => r"`\{`".to_owned(),
             Group::Absolute => "`|`".to_owned(),
-            Group::Rows(name) | Group::Matrix(name) => format!(r"`\begin{{{name}}}`"),
+            Group::Rows(name) | Group::Matrix(name, _) => format!(r"`\begin{{{name}}}`"),
             _ => "`{`".to_owned(),
         }
     }
@@ -43,12 +67,45 @@ impl Group {
 #[derive(Debug, Default)]
 pub struct Groups {
     open: Vec<(Group, Span)>,
+    arguments: Vec<Argument>,
 }
 
 impl Groups {
     /// Opens a group at `place`.
     pub fn open(&mut self, group: Group, place: Span) {
         self.open.push((group, place));
+    }
+
+    /// Lets the group that opens next at `start` be the argument of a function without brackets.
+    pub fn begin_argument(&mut self, function: Span, start: usize) {
+        self.arguments.push(Argument { function, start, depth: self.open.len() });
+    }
+
+    /// The argument that ends with the group that was just closed.
+    pub fn end_argument(&mut self) -> Option<Argument> {
+        let depth = self.open.len();
+        self.arguments.pop_if(|argument| argument.depth == depth)
+    }
+
+    /// The innermost group, if its braces are not shown.
+    pub fn unseen(&mut self) -> Option<&mut Unseen> {
+        match self.open.last_mut() {
+            Some((Group::Unseen(unseen), _)) => Some(unseen),
+            _ => None,
+        }
+    }
+
+    /// What separates the components of the innermost group, if it is a matrix.
+    pub fn separator(&mut self) -> Option<&mut Option<TokenKind>> {
+        match self.open.last_mut() {
+            Some((Group::Matrix(_, separator), _)) => Some(separator),
+            _ => None,
+        }
+    }
+
+    /// Where the innermost group opened.
+    pub fn place(&self) -> Option<Span> {
+        self.open.last().map(|(_, place)| *place)
     }
 
     /// The innermost group.

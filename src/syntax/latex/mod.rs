@@ -8,6 +8,7 @@
 //! As in TeX each letter is a name of its own. What is not listed in `commands.rs` is refused, never guessed.
 //! There is no recursion: open groups wait on a stack.
 
+mod argument;
 mod block;
 mod commands;
 mod construct;
