@@ -104,7 +104,7 @@ pub const MOST_WIDTH: usize = 2;
 impl CyclicBanded {
     /// Factorises; row i holds the `2 width + 1` entries of columns i - width to i + width, counted around.
     ///
-    /// `None` for fewer than `2 width + 1` rows, a width above [`MOST_WIDTH`], and a singular matrix.
+    /// `None` for fewer than `2 width + 1` rows, a width above 2, and a singular matrix.
     #[must_use]
     pub fn new(width: usize, rows: &[Vec<f64>]) -> Option<CyclicBanded> {
         let count = rows.len();

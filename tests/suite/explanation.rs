@@ -11,10 +11,12 @@ fn explained(problem: &Problem, notation: Notation) -> Explanation {
     problem.explain(patch(problem), notation, &Limits::default()).expect("short")
 }
 
-/// The basis as text, without the name of the patch.
+/// The basis and its coefficients as text, without the name of the patch.
 fn basis(text: &str) -> String {
     let basis = decomposition(text).to_text(Notation::Unicode, &Limits::default()).expect("short");
-    basis.split_once("`:").map(|(_, rest)| rest.to_owned()).expect("a heading")
+    let (_, rest) = basis.split_once("`:").expect("a heading");
+    // Derivatives follow from the basis; the order of their terms is that in which the text first has their parts.
+    rest.split("\nderivatives the equation").next().unwrap_or(rest).to_owned()
 }
 
 /// The terms of the equation as text.

@@ -259,7 +259,7 @@ fn data_that_do_not_close_are_refused_with_both_values() {
     let found = refusal(&format!("pde (d2/du2 + d2/dv2)^2 S = 0\n{}", with_data("1 + v/2")), &[]);
     assert_eq!((found.code, found.class()), (Code::UnsupportedByMethod, Class::Unsupported));
     assert!(found.message.contains("`1 + 0.5*v` (S_x at u = 0) is not periodic"), "{found}");
-    assert!(found.message.contains("1.000000 at v = 0 and 4.141593 at v = 6.28"), "{found}");
+    assert!(found.message.contains("1.000000 at v = 0.000000 and 4.141593 at v = 6.283185"), "{found}");
     assert!(found.span.is_some());
 }
 

@@ -21,7 +21,7 @@ pub fn print(text: &str) -> Result<(), Failure> {
 pub fn rounded(value: f64) -> String {
     let scientific = format!("{value:.1e}");
     match scientific.parse::<f64>() {
-        Ok(rounded) if rounded == 0.0 => "0".to_owned(),
+        Ok(0.0) => "0".to_owned(),
         Ok(rounded) if (1e-2..1e4).contains(&rounded.abs()) => rounded.to_string(),
         _ => scientific,
     }

@@ -38,7 +38,7 @@ fn emit_takes_one_patch_and_names_those_there_are() {
     let spec = folder.spec(TWO);
     let output = trimline(&["emit", &spec, "--lang", "c"]);
     assert_eq!(status(&output), 2);
-    assert!(text(&output.stderr).contains("choose one of low, high with --patch"), "{}", text(&output.stderr));
+    assert!(text(&output.stderr).contains("patches: low, high"), "{}", text(&output.stderr));
     assert!(output.stdout.is_empty());
     let emitted = done(&trimline(&["emit", &spec, "--lang", "c", "--patch", "high"]));
     assert!(emitted.contains("high_surface(") && emitted.contains("u in [1.0, 2.0]"), "{emitted}");
