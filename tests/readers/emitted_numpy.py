@@ -52,7 +52,8 @@ def deviation(spec, patch, time, options):
 
 
 def main():
-    specs = sorted(EXAMPLES.glob("*.trim"))
+    # `emit` refuses the others, which are no sums of products.
+    specs = sorted(path for path in EXAMPLES.glob("*.trim") if path.stem not in ("deformed", "four_sided"))
     assert len(specs) >= 12, specs
     for spec in specs:
         patches = [patch["name"] for patch in json.loads(trimline("basis", spec, "--format", "json"))["patches"]]
