@@ -110,6 +110,8 @@ fn text_of_awkward_expressions_reads_back_as_the_same_expression() {
         "exp(exp(v))",
         "e^e^v",
         "1e20 v",
+        "10^(1e20) v",
+        "10^-999 v",
         "123456789012345678901234567890 v",
         "1e-30 v + 1",
         "abs(-v)",

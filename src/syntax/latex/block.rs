@@ -363,8 +363,9 @@ impl<'a> Block<'a> {
             }
             _ => return None,
         };
-        let is_integer = number.kind == TokenKind::Number && !number.text.contains('.');
-        (is_integer && close.kind == TokenKind::Close).then(|| (format!("{sign}{}", number.text), close.span.end))
+        // Beyond the doubles it is a power like any other, not a number that is too large.
+        let is_exponent = number.kind == TokenKind::Number && number.text.parse().is_ok_and(|power: u32| power <= 308);
+        (is_exponent && close.kind == TokenKind::Close).then(|| (format!("{sign}{}", number.text), close.span.end))
     }
 
     fn function(&mut self, name: &'static str, token: &Token<'a>) {
