@@ -1,5 +1,6 @@
 //! The command as its users run it: results, exit statuses, and what it leaves behind.
 
+mod bench;
 mod notation;
 mod patches;
 mod scenes;

@@ -4,6 +4,7 @@
 //! has printed nothing to standard output and left no file.
 
 mod basis;
+mod bench;
 mod check;
 mod emit;
 mod eval;
@@ -88,6 +89,8 @@ enum Command {
     Fit(fit::Arguments),
     /// Writes the solved surface as source code: GLSL, WGSL, C, Rust or NumPy.
     Emit(emit::Arguments),
+    /// Measures how fast this spec compiles, solves and is evaluated here, beside what the machine can do at most.
+    Bench(bench::Arguments),
     /// Serves the interactive view on this machine: sliders, time, shading; follows the file as it is edited.
     #[cfg(feature = "view")]
     View(view::Arguments),
@@ -107,6 +110,7 @@ fn main() -> ExitCode {
         Command::Morph(arguments) => morph::run(&arguments, &terminal),
         Command::Fit(arguments) => fit::run(arguments, &terminal),
         Command::Emit(arguments) => emit::run(&arguments, &terminal),
+        Command::Bench(arguments) => bench::run(&arguments, &terminal),
         #[cfg(feature = "view")]
         Command::View(arguments) => view::run(arguments, &terminal),
     };

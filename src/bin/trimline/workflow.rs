@@ -55,6 +55,14 @@ impl Spec {
         let limits = reading.limits()?;
         let start = Instant::now();
         let source = read_source(path, &limits)?;
+        let spec = Spec::of(source, reading)?;
+        Ok(Spec { parse_seconds: start.elapsed().as_secs_f64(), ..spec })
+    }
+
+    /// Reads a text.
+    pub fn of(source: Source, reading: &Reading) -> Result<Spec, Failure> {
+        let limits = reading.limits()?;
+        let start = Instant::now();
         let document = syntax::parse(&source, &limits).map_err(|findings| Failure::found(&source, findings))?;
         let stem = Path::new(&source.name).file_stem();
         let stem = stem.map_or_else(|| source.name.clone(), |stem| stem.to_string_lossy().into_owned());
