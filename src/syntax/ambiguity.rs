@@ -30,6 +30,15 @@ pub fn ambiguous_argument(function: &str, argument: &str, [first, next]: [&str; 
         .hint(format!("write `{function}({argument})` if it does, `{function}({first})*{next}` if it does not"))
 }
 
+/// `∂²/∂u² ²`: a power of the operator, or of what stands below its bar?
+pub fn ambiguous_power(operator: &str, power: Span) -> Diagnostic {
+    Diagnostic::new(Code::AmbiguousExpression, format!("a power behind `{operator}` can be read in two ways"))
+        .at(power)
+        .hint(format!(
+            "for the operator applied twice write `({operator})²`; an order stands above and below the bar: `∂⁴/∂u⁴`"
+        ))
+}
+
 /// `e^2t` has two readings, and two numbers side by side are a slip.
 pub fn refuse_ambiguous_neighbours(
     (left, left_span): (&str, Span),

@@ -1,7 +1,7 @@
 //! Parsed expressions to the tree, refusing those with two plausible readings.
 
 use super::ambiguity::{
-    Run, ambiguous_argument, is_coordinate, refuse_ambiguous_division, refuse_ambiguous_neighbours,
+    Run, ambiguous_argument, ambiguous_power, is_coordinate, refuse_ambiguous_division, refuse_ambiguous_neighbours,
 };
 use super::ast::Name;
 use super::ast::{Expression, Kind, Tree, Unknown};
@@ -129,6 +129,9 @@ impl Builder<'_> {
         let whole = self.span(&pair);
         let mut parts = pair.into_inner().peekable();
         let first = parts.next().ok_or_else(internal)?;
+        if let (Rule::differential, Some(power)) = (first.as_rule(), parts.peek()) {
+            return Err(ambiguous_power(self.text(self.span(&first)), self.span(power)));
+        }
         let mut base = if first.as_rule() == Rule::function {
             let arguments = self.bracket(&parts.next().ok_or_else(internal)?)?;
             self.call(called(&first)?, arguments, whole)

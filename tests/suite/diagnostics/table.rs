@@ -36,6 +36,7 @@ pub const ROWS: &[Row] = &[
     (Before("param a == 1\n"), UnexpectedText, "1:10", "=", "write a single `=`"),
     (Data("v *"), UnexpectedText, "1:19", ",", "expected an expression, found `,`"),
     (Data("v * / t"), UnexpectedText, "1:20", "/", "expected an expression, found `/`"),
+    (Before("pde (∂²/∂u²^2 + ∂⁴/∂v⁴) S = 0\n"), AmbiguousExpression, "1:12", "^", "write `(∂²/∂u²)²`"),
     (Before("S: [1, 2, 3]\n"), UnexpectedText, "1:2", ":", "at u = 0:"),
     (Before("curve C(v) = [v, v, 0]\n"), UnexpectedText, "1:1", "curve", "reserved for a later version"),
     (Before("foo bar\n"), UnexpectedText, "1:1", "foo", "found `foo`"),
