@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use crate::diagnostic::{Code, Diagnostic};
 use crate::eval::{Op, Program};
-use crate::expr::Derivative;
+use crate::expr::{Derivative, Graph, Number};
 use crate::numeric::ChebyshevSeries;
 use crate::problem::{DomainValues, Problem};
 use crate::surface::{SeparableSurface, Surface};
@@ -52,6 +52,10 @@ impl Formula {
         surface: &SeparableSurface,
         domain: DomainValues,
     ) -> Result<Formula, Diagnostic> {
+        // A surface that is zero has no functions, and languages have no tables without entries.
+        if surface.basis.len() == 0 {
+            return Ok(Formula::zero(name, surface.instant, domain));
+        }
         let program = surface.basis.program(&[Derivative::NONE, Derivative::new(0, 1, 0)])?;
         let sizes = basis_sizes(surface, domain)?;
         let amplitudes = [amplitudes(surface, domain.u, 0, &sizes)?, amplitudes(surface, domain.u, 1, &sizes)?];
@@ -72,6 +76,23 @@ impl Formula {
             return Ok(formula);
         }
         Err(no_series())
+    }
+
+    /// The surface that is zero, as `0 · 0`.
+    fn zero(name: &str, instant: Option<f64>, domain: DomainValues) -> Formula {
+        let mut graph = Graph::default();
+        let zero = graph.number(Number::ZERO);
+        let series = ChebyshevSeries { range: domain.u, coefficients: vec![vec![0.0; 3]] };
+        Formula {
+            name: identifier(name),
+            domain,
+            instant,
+            functions: vec!["0".to_owned()],
+            parameters: Vec::new(),
+            program: Program::compile(&graph, &[zero, zero]),
+            amplitudes: [series.clone(), series],
+            deviation: 0.0,
+        }
     }
 
     /// The number of basis functions.

@@ -159,6 +159,45 @@ fn boundary_error(
     Ok((error, size))
 }
 
+/// The distance of a surface from the positions that it was asked to have along one line of constant u or v.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BoundaryGap {
+    /// The parameter that is constant.
+    pub across: Variable,
+    /// Its value.
+    pub at: f64,
+    /// Distances at evenly spaced places along the line, both ends included.
+    pub distances: Vec<f64>,
+}
+
+/// The gap at every position that `patch` prescribes, at `places` places along each line at instant `t`.
+///
+/// # Errors
+/// As [`verify`].
+pub fn boundary_gaps(
+    problem: &Problem,
+    patch: &Patch,
+    surface: &dyn Surface,
+    (bindings, domain, t): (&Bindings, &DomainValues, f64),
+    places: usize,
+) -> Result<Vec<BoundaryGap>, Diagnostic> {
+    let [u, v] = [domain.u, domain.v].map(|range| nodes(NodeKind::Ends, places, range));
+    let mut gaps = Vec::new();
+    for side in sides(patch).filter(|side| side.order == 0) {
+        let at = bindings.constant(problem, side.position, None, "the position of a boundary")?;
+        let here = [at];
+        let grid = if side.across == Variable::U { (&here[..], &v[..], t) } else { (&u[..], &here[..], t) };
+        let stated = evaluate(&problem.graph, side.value, bindings, grid.0, grid.1, t)?;
+        let mut found = vec![[0.0; 3]; places];
+        surface.evaluate_grid(Derivative::NONE, grid, &mut found)?;
+        let component = |index: usize| stated.iter().skip(index * places).copied();
+        let stated = component(0).zip(component(1)).zip(component(2)).map(|((x, y), z)| [x, y, z]);
+        let distances = found.into_iter().zip(stated).map(|(a, b)| contact::distance(a, b)).collect();
+        gaps.push(BoundaryGap { across: side.across, at, distances });
+    }
+    Ok(gaps)
+}
+
 /// Gauss nodes, which no collocation grid with rational spacing shares, and both ends.
 fn with_ends(count: usize, range: [f64; 2]) -> Vec<f64> {
     let mut all = vec![range[0]];

@@ -85,6 +85,24 @@ impl Edge {
         if against.gap < along.gap { against } else { along }
     }
 
+    /// The distance from the other edge at evenly spaced places along this one, and from this one along the other: both run
+    /// as in [`Edge::meet`].
+    #[must_use]
+    pub fn gaps(&self, other: &Edge) -> [Vec<f64>; 2] {
+        let distances = |places: &mut dyn Iterator<Item = &Place>| -> Vec<f64> {
+            self.places.iter().zip(places).map(|(a, b)| distance(a.point, b.point)).collect()
+        };
+        let largest = |gaps: &[f64]| gaps.iter().fold(0.0_f64, |most, gap| most.max(*gap));
+        let along = distances(&mut other.places.iter());
+        let against = distances(&mut other.places.iter().rev());
+        if largest(&against) < largest(&along) {
+            let reversed = against.iter().rev().copied().collect();
+            [against, reversed]
+        } else {
+            [along.clone(), along]
+        }
+    }
+
     fn compare<'a>(&self, other: impl Iterator<Item = &'a Place>) -> SeamDeviation {
         let mut worst = SeamDeviation { gap: 0.0, angle_degrees: None };
         for (a, b) in self.places.iter().zip(other) {

@@ -1,6 +1,6 @@
 // Emitted GLSL and WGSL, compiled and run by a browser: they give the surface that `eval` gives, in single precision.
 
-import { check, deviation, evaluate, example, examples, launch, patchesOf, runAll, serve, test, trimline } from "./harness.mjs";
+import { check, deviation, evaluate, example, examples, isEmitted, launch, patchesOf, runAll, serve, test, trimline } from "./harness.mjs";
 
 const browser = await launch("--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader", "--enable-features=Vulkan");
 // WebGPU exists on pages from loopback only.
@@ -83,7 +83,12 @@ const runWgsl = ({ text, call, points }) => page.evaluate(async ({ text, call, p
   return Array.from(new Float32Array(read.getMappedRange()));
 }, { text, call, points });
 
-for (const [spec, name] of examples.flatMap((spec) => patchesOf(spec).map((name) => [spec, name]))) {
+// A surface without basis functions.
+const folder = mkdtempSync(join(tmpdir(), "trimline-shaders-"));
+const zero = join(folder, "zero.trim");
+writeFileSync(zero, "at u = 0: S = [0, 0, 0], dS/du = [0, 0, 0]\nat u = 1: S = [0, 0, 0], dS/du = [0, 0, 0]\n");
+
+for (const [spec, name] of [zero, ...examples].flatMap((spec) => patchesOf(spec).map((name) => [spec, name])).filter((it) => isEmitted(...it))) {
   for (const method of name === "eq27" || name === "eq19" ? [[], ["--method", "exact"]] : [[]]) {
     const options = [...method, "--patch", name];
     // In the time domain of every example.
@@ -124,3 +129,4 @@ for (const [spec, name] of examples.flatMap((spec) => patchesOf(spec).map((name)
 await runAll();
 await browser.close();
 server.stop();
+rmSync(folder, { recursive: true });

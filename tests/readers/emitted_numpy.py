@@ -10,6 +10,7 @@ import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 
 import numpy as np
 
@@ -22,6 +23,13 @@ def trimline(*arguments, text=""):
     if done.returncode != 0:
         raise SystemExit(f"trimline {arguments}: {done.stderr}")
     return done.stdout
+
+
+def is_emitted(spec, patch):
+    """`emit` refuses patches that are no sums of products, and only them."""
+    done = subprocess.run([BINARY, "emit", spec, "--lang", "numpy", "--patch", patch], capture_output=True, text=True)
+    assert done.returncode == 0 or "E0709" in done.stderr, done.stderr
+    return done.returncode == 0
 
 
 def deviation(spec, patch, time, options):
@@ -51,18 +59,28 @@ def deviation(spec, patch, time, options):
     return worst
 
 
+# A surface without basis functions.
+ZERO = "at u = 0: S = [0, 0, 0], dS/du = [0, 0, 0]\nat u = 1: S = [0, 0, 0], dS/du = [0, 0, 0]\n"
+
+
 def main():
-    # `emit` refuses the others, which are no sums of products.
-    specs = sorted(path for path in EXAMPLES.glob("*.trim") if path.stem not in ("deformed", "four_sided"))
-    assert len(specs) >= 12, specs
+    folder = tempfile.TemporaryDirectory()
+    zero = pathlib.Path(folder.name) / "zero.trim"
+    zero.write_text(ZERO)
+    specs = [zero, *sorted(EXAMPLES.glob("*.trim"))]
+    compared = 0
     for spec in specs:
         patches = [patch["name"] for patch in json.loads(trimline("basis", spec, "--format", "json"))["patches"]]
         methods = [[], ["--method", "exact"]] if spec.stem in ("eq19", "eq27", "eq29_30") else [[]]
         for patch, options in itertools.product(patches, methods):
+            if not is_emitted(spec, patch):
+                continue
+            compared += 1
             worst = deviation(spec, patch, 0.125, options)
             # The tables agree to 1e-12 of the size or are not written; functions of two libraries differ by some ulp.
             assert worst <= 1e-12, f"{spec.name} {patch} {options}: {worst:.1e}"
             print(f"ok      {spec.name} {patch} {' '.join(options)}: {worst:.1e}")
+    assert compared >= 20, compared
 
 
 main()

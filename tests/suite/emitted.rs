@@ -33,25 +33,25 @@ at u = 0:
 at u = 1: S = [v, t, 1], ∂S/∂u = [0, 0, 1]
 solve exact";
 
-fn case(name: &str, text: &str, method: Option<&str>) -> Case {
+/// A surface without basis functions.
+const ZERO: &str = "at u = 0: S = [0, 0, 0], ∂S/∂u = [0, 0, 0]\nat u = 1: S = [0, 0, 0], ∂S/∂u = [0, 0, 0]";
+
+/// The first patch of a text; `None` if it is no sum of products, which is refused.
+fn case(name: &str, text: &str, method: Option<&str>) -> Option<Case> {
     let options = Options { method: method.map(str::to_owned), ..Options::default() };
     let blend = Blend::compile(&Source::new(name, text), &options).unwrap_or_else(|found| panic!("{name}: {found:?}"));
     let domain = blend.patches[0].domain;
     let at = |[low, high]: [f64; 2], share: f64| low + share * (high - low);
     let instant = at(domain.t, 0.375);
     let solution = blend.solve(0, instant).unwrap_or_else(|found| panic!("{name}: {found}"));
+    let separable = solution.surface.as_separable()?;
     let title = format!("{name}{}", method.map_or(String::new(), |method| format!("-{method}")));
-    let formula = Formula::new(&title, &blend.problem, solution.separable().expect("a sum of products"), domain)
-        .expect("a smooth surface");
+    let formula = Formula::new(&title, &blend.problem, separable, domain).expect("a smooth surface");
     let mut points = Vec::new();
     for index in 0..24 {
         // Both ends, and nothing that falls on a node.
         let share = |step: f64| (step * f64::from(index)).fract();
-        let t = if solution.separable().expect("a sum of products").instant.is_some() {
-            instant
-        } else {
-            at(domain.t, share(0.618))
-        };
+        let t = if separable.instant.is_some() { instant } else { at(domain.t, share(0.618)) };
         let u = if index < 2 { domain.u[index as usize] } else { at(domain.u, share(0.37)) };
         let point = [u, at(domain.v, share(0.7549)), t];
         let mut values = [[0.0; 3]; 3];
@@ -63,7 +63,7 @@ fn case(name: &str, text: &str, method: Option<&str>) -> Case {
     }
     let largest = |k: usize| points.iter().flat_map(|(_, values)| values[k]).fold(0.0, |m: f64, x| m.max(x.abs()));
     let sizes = [0, 1, 2].map(largest);
-    Case { formula, points, sizes }
+    Some(Case { formula, points, sizes })
 }
 
 /// Every example, those with a closed basis by `exact` as well, and a boundary of every function.
@@ -73,17 +73,16 @@ fn cases() -> Vec<Case> {
         .expect("examples")
         .map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned())
         .filter_map(|name| name.strip_suffix(".trim").map(str::to_owned))
-        // No sums of products: refused, which the tests of specs with four sides look at.
-        .filter(|name| !["four_sided", "deformed"].contains(&name.as_str()))
         .collect();
     names.sort();
-    assert!(names.len() >= 12, "{names:?}");
-    let mut cases = vec![case("functions", FUNCTIONS, None)];
+    let stated = [("functions", FUNCTIONS), ("zero", ZERO)];
+    let mut cases: Vec<Case> = stated.into_iter().filter_map(|(name, text)| case(name, text, None)).collect();
+    assert_eq!(cases.len(), stated.len(), "sums of products");
     for name in names {
         let text = std::fs::read_to_string(folder.join(format!("{name}.trim"))).expect("an example");
-        cases.push(case(&name, &text, None));
+        cases.extend(case(&name, &text, None));
         if ["eq19", "eq27", "eq29_30"].contains(&name.as_str()) {
-            cases.push(case(&name, &text, Some("exact")));
+            cases.extend(case(&name, &text, Some("exact")));
         }
     }
     cases
@@ -182,20 +181,20 @@ fn emitted_rust_gives_the_surface_of_every_example() {
 fn surface_of_one_instant_takes_no_time_and_says_so() {
     let text = "at u = 0: S = [e^t cos v, sin v, 1], ∂S/∂u = [0, 0, -1]\n\
                 at u = 1: S = [2 cos v, 2 sin v, 0], ∂S/∂u = [cos v, sin v, 0]\npde with ρ = 1\n";
-    let fitted = case("moving", text, Some("sine"));
+    let fitted = case("moving", text, Some("sine")).expect("a sum of products");
     let text_of = |case: &Case, language| emit(&case.formula, language).expect("numbers fit");
     for language in Language::ALL {
         assert!(text_of(&fitted, *language).contains("It holds at t = 0.375 only"), "{}", language.name());
     }
     assert!(text_of(&fitted, Language::C).contains("moving_sine_surface(double u, double v, double s[3]"));
-    let exact = case("moving", text, Some("exact"));
+    let exact = case("moving", text, Some("exact")).expect("a sum of products");
     assert!(text_of(&exact, Language::C).contains("moving_exact_surface(double u, double v, double t, double s[3]"));
 }
 
 #[test]
 fn number_beyond_single_precision_is_refused_by_shaders_only() {
     let text = "at u = 0: S = [1e39 cos v, sin v, 1], ∂S/∂u = 0\nat u = 1: S = [v, 1, 0], ∂S/∂u = 0\n";
-    let huge = case("huge", text, Some("exact"));
+    let huge = case("huge", text, Some("exact")).expect("a sum of products");
     for language in Language::ALL {
         let emitted = emit(&huge.formula, *language);
         match language.is_single_precision() {
@@ -209,6 +208,8 @@ fn number_beyond_single_precision_is_refused_by_shaders_only() {
 fn equal_surfaces_are_emitted_in_equal_bytes() {
     let text = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/eq31_32.trim"));
     let text = text.expect("an example");
-    let emitted = || emit(&case("eq31_32", &text, None).formula, Language::Glsl).expect("numbers fit");
+    let emitted = || {
+        emit(&case("eq31_32", &text, None).expect("a sum of products").formula, Language::Glsl).expect("numbers fit")
+    };
     assert_eq!(emitted(), emitted());
 }

@@ -27,6 +27,7 @@ struct Answer {
     status: u16,
     headers: String,
     body: String,
+    bytes: Vec<u8>,
 }
 
 impl Answer {
@@ -76,7 +77,9 @@ impl View {
         let text = String::from_utf8_lossy(&bytes).into_owned();
         let (head, body) = text.split_once("\r\n\r\n").unwrap_or_else(|| panic!("no answer to {line}: {text}"));
         let status = head.split(' ').nth(1).and_then(|status| status.parse().ok()).expect("a status");
-        Answer { status, headers: head.to_lowercase(), body: body.to_owned() }
+        let start = bytes.windows(4).position(|window| window == b"\r\n\r\n").map_or(0, |at| at + 4);
+        let bytes = bytes.get(start..).unwrap_or_default().to_vec();
+        Answer { status, headers: head.to_lowercase(), body: body.to_owned(), bytes }
     }
 
     fn get(&self, path: &str) -> Answer {
@@ -147,14 +150,16 @@ fn scene_has_sliders_patches_and_programs() {
     assert_eq!(coefficients, 5);
     let patch = &scene["solved"]["patches"][0];
     // The rim of radius r at u = 0: the series of cos v at the low end is Σ (-1)^k c_k.
-    let rows = patch["amplitudes"]["coefficients"].as_array().expect("rows");
+    assert_eq!(patch["form"]["kind"], "separable");
+    let rows = patch["form"]["amplitudes"]["coefficients"].as_array().expect("rows");
     let at_low_end: f64 = rows
         .iter()
         .enumerate()
         .map(|(k, row)| row[0].as_f64().expect("a number") * if k % 2 == 0 { 1.0 } else { -1.0 })
         .sum();
     assert!((at_low_end - 1.0).abs() < 1e-14, "{at_low_end}");
-    assert_eq!(patch["conditions"].as_array().expect("conditions").len(), 4);
+    let conditions = |side: usize| patch["boundary"][side]["conditions"].as_array().map(Vec::len);
+    assert_eq!((conditions(0), conditions(1)), (Some(4), Some(0)));
 }
 
 #[test]
@@ -177,6 +182,11 @@ fn wrong_questions_are_answered_with_findings() {
         ("/export?grid=100000x100000", 422, "samples"),
         ("/export?set=r%3D1/0", 422, "infinity"),
         ("/residual?set=q%3D1", 422, "q"),
+        ("/vertices?patches=1", 400, "no patch number 1"),
+        ("/vertices?patches=first", 400, "numbers"),
+        ("/vertices?grid=0x4", 422, "no quads"),
+        ("/vertices?grid=100000x100000", 422, "samples"),
+        ("/gaps?set=q%3D1", 422, "q"),
     ] {
         let answer = view.get(path);
         assert_eq!(answer.status, status, "{path}: {}", answer.body);
@@ -209,6 +219,86 @@ fn export_is_the_mesh_of_the_command_line() {
     assert_eq!(answer.status, 200, "{}", answer.body);
     assert!(answer.headers.contains("attachment; filename=\"spec.obj\""), "{}", answer.headers);
     assert_eq!(answer.body, std::fs::read_to_string(target).expect("a mesh"));
+}
+
+/// Rows of numbers that `eval` gives at points of the spec.
+fn evaluated(spec: &Path, points: &[[f64; 3]]) -> Vec<Vec<f64>> {
+    let folder = tempfile::tempdir().expect("a folder");
+    let rows: String = points.iter().map(|[u, v, t]| format!("{u:?},{v:?},{t:?}\n")).collect();
+    let table = folder.path().join("points.csv");
+    std::fs::write(&table, format!("u,v,t\n{rows}")).expect("a file");
+    let output = Command::new(env!("CARGO_BIN_EXE_trimline"))
+        .args([Path::new("eval"), spec, Path::new("--points"), &table])
+        .args(["--derivatives", "u,v"])
+        .output()
+        .expect("the command runs");
+    let text = String::from_utf8(output.stdout).expect("text");
+    let numbers = |line: &str| line.split(',').skip(3).map(|number| number.parse().expect("a number")).collect();
+    text.lines().skip(1).map(numbers).collect()
+}
+
+#[test]
+fn surface_that_is_no_sum_of_products_comes_as_vertices_with_normals() {
+    let text = "at u = 0: S = [(1 + t) cos v, sin v, 0], ∂S/∂u = [0, 0, 1]\n\
+                at u = 1: S = [cos v, sin v, 2], ∂S/∂u = [0, 0, 1]\n\
+                deform u in [0.2, 0.8], v in [1, 6] by [0.5, t, 0] keeping C1\n";
+    let view = View::of(text, &[]);
+    assert_eq!(view.get("/scene").json()["solved"]["patches"][0]["form"], serde_json::json!({ "kind": "sampled" }));
+    let answer = view.get("/vertices?patches=0&grid=5x7&t=0.75");
+    assert_eq!(answer.status, 200, "{}", answer.body);
+    assert!(answer.headers.contains("trimline-revision: 1"), "{}", answer.headers);
+    let numbers: Vec<f64> =
+        answer.bytes.chunks(4).map(|b| f64::from(f32::from_le_bytes(b.try_into().unwrap()))).collect();
+    let vertices = 6 * 8;
+    assert_eq!(numbers.len(), 8 * vertices);
+    let node = |k: usize| [(k / 8) as f64 / 5.0, (k % 8) as f64 / 7.0 * std::f64::consts::TAU, 0.75];
+    let expected = evaluated(&view.spec(), &(0..vertices).map(node).collect::<Vec<_>>());
+    for (k, row) in expected.iter().enumerate() {
+        let (position, normal) = (&numbers[4 * k..4 * k + 3], &numbers[4 * (vertices + k)..4 * (vertices + k) + 3]);
+        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        // Single precision of numbers up to 3.
+        assert!(position.iter().zip(row).all(|(a, b)| (a - b).abs() < 4e-7), "{k}: {position:?} {row:?}");
+        assert!((dot(normal, normal) - 1.0).abs() < 4e-7, "{k}: {normal:?}");
+        for tangent in [&row[3..6], &row[6..9]] {
+            assert!(dot(normal, tangent).abs() < 1e-6, "{k}: {normal:?} {tangent:?}");
+        }
+    }
+}
+
+#[test]
+fn gaps_are_measured_along_every_edge_and_at_the_ends_of_v() {
+    let patch = |name: &str, from: f64, x: &str| {
+        format!(
+            "patch {name} {{\ndomain u in [{from}, {}]\n\
+             at u = {from}: S = [{x}, sin v, {from}], ∂S/∂u = [0, 0, 1]\n\
+             at u = {0}: S = [cos v, sin v, {0}], ∂S/∂u = [0, 0, 1]\n}}\n",
+            from + 1.0
+        )
+    };
+    // The second begins a little beside the end of the first, by 2e-4 (1 - cos v) / 2.
+    let view = View::of(&(patch("a", 0.0, "cos v") + &patch("b", 1.0, "cos v + 1e-4 (1 - cos v)")), &[]);
+    let gaps = view.get("/gaps").json();
+    let lines = |patch: usize, kind: &str| gaps["patches"][patch][kind].as_array().expect("lines").clone();
+    let values = |line: &Value| line["values"].as_array().expect("values").iter().filter_map(Value::as_f64).collect();
+    for patch in 0..2 {
+        let boundary = lines(patch, "boundary");
+        assert_eq!(boundary.len(), 2);
+        let largest = boundary.iter().flat_map(|line| -> Vec<f64> { values(line) }).fold(0.0, f64::max);
+        assert!(largest < 1e-14, "{largest}");
+    }
+    let (first, second) = (lines(0, "seams"), lines(1, "seams"));
+    let places =
+        |lines: &[Value]| lines.iter().map(|line| format!("{} {}", line["across"], line["at"])).collect::<Vec<_>>();
+    assert_eq!(places(&first), ["\"v\" 0.0", "\"v\" 6.283185307179586", "\"u\" 1.0"]);
+    assert_eq!(places(&second), ["\"v\" 0.0", "\"v\" 6.283185307179586", "\"u\" 1.0"]);
+    for seam in [&first[2], &second[2]] {
+        let found: Vec<f64> = values(seam);
+        let last = (found.len() - 1) as f64;
+        for (k, gap) in found.iter().enumerate() {
+            let v = std::f64::consts::TAU * k as f64 / last;
+            assert!((gap - 1e-4 * (1.0 - v.cos())).abs() < 1e-14, "{k}: {gap}");
+        }
+    }
 }
 
 #[test]
@@ -274,7 +364,7 @@ fn saved_edit_is_announced_and_a_broken_one_keeps_the_surface() {
     assert_eq!((&scene["is_current"], scene["revision"].as_u64()), (&Value::Bool(false), Some(broken)));
     assert_eq!(scene["findings"][0]["code"], "E0201");
     assert_eq!(scene["findings"][0]["place"]["line"], 3);
-    assert!(scene["solved"]["patches"][0]["amplitudes"].is_object(), "the last good surface is gone");
+    assert!(scene["solved"]["patches"][0]["form"]["amplitudes"].is_object(), "the last good surface is gone");
     std::fs::write(view.spec(), VASE.replace("r = 1", "r = 1.25")).expect("saved");
     assert!(next() > broken);
     let mended = view.get("/scene").json();

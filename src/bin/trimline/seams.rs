@@ -13,7 +13,7 @@ use crate::failure::Failure;
 use crate::workflow::{Patched, Spec};
 
 /// Of the size of the edges: what is nearer than this is a seam, whose gap is worth knowing.
-const NEAR: f64 = 1e-3;
+pub const NEAR: f64 = 1e-3;
 
 /// Of the size of the edges: a seam that is stated must close as well as this.
 const CLOSED: f64 = 1e-6;
@@ -32,16 +32,20 @@ pub struct SeamReport {
     pub stated: bool,
     pub gap: f64,
     pub angle_degrees: Option<f64>,
+    /// The edges among the patches that were measured, and the gap along each at the last instant.
+    #[serde(skip)]
+    pub along: [(Place, Vec<f64>); 2],
 }
 
 /// An edge to be measured: its patch among those that were solved, and its u.
-type Place = (usize, f64);
+pub type Place = (usize, f64);
 
 /// A pair of edges and, if it is stated, the statement.
 struct Pair<'a> {
     between: [Place; 2],
     stated: Option<&'a Seam>,
     worst: Option<SeamDeviation>,
+    gaps: [Vec<f64>; 2],
 }
 
 /// Measures the seams at `times`, at which `surfaces_at` gives those of all patches, and says which of the stated ones
@@ -75,6 +79,7 @@ pub fn measure(
             let [a, b] = pair.between.map(|place| edges.iter().find(|(known, _)| *known == place));
             let (Some((_, a)), Some((_, b))) = (a, b) else { continue };
             let here = a.meet(b);
+            pair.gaps = a.gaps(b);
             pair.worst = Some(pair.worst.map_or(here, |before| before.worst(&here)));
         }
         // Edges that shrink to a point have no direction to meet in.
@@ -101,7 +106,14 @@ fn report(pair: Pair<'_>, patched: &[&Patched]) -> Option<SeamReport> {
         EdgePlace { patch: name.unwrap_or_default(), u }
     };
     let SeamDeviation { gap, angle_degrees } = pair.worst?;
-    Some(SeamReport { between: pair.between.map(place), stated: pair.stated.is_some(), gap, angle_degrees })
+    let ([first, second], [of_first, of_second]) = (pair.between, pair.gaps);
+    Some(SeamReport {
+        between: pair.between.map(place),
+        stated: pair.stated.is_some(),
+        gap,
+        angle_degrees,
+        along: [(first, of_first), (second, of_second)],
+    })
 }
 
 /// The stated seams of the chosen patches, then every other pair of ends.
@@ -116,7 +128,7 @@ fn pairs<'a>(spec: &'a Spec, patched: &[&Patched]) -> Result<Vec<Pair<'a>>, Fail
             between.extend(chosen.zip(Some(u.map_err(|finding| spec.fault(finding))?)));
         }
         if let Ok(between) = <[Place; 2]>::try_from(between) {
-            pairs.push(Pair { between, stated: Some(seam), worst: None });
+            pairs.push(Pair { between, stated: Some(seam), worst: None, gaps: Default::default() });
         }
     }
     let stated = pairs.len();
@@ -126,7 +138,7 @@ fn pairs<'a>(spec: &'a Spec, patched: &[&Patched]) -> Result<Vec<Pair<'a>>, Fail
         for &second in ends.iter().skip(index + 1) {
             let is_known = |pair: &Pair<'_>| pair.between == [first, second] || pair.between == [second, first];
             if !pairs.iter().take(stated).any(is_known) {
-                pairs.push(Pair { between: [first, second], stated: None, worst: None });
+                pairs.push(Pair { between: [first, second], stated: None, worst: None, gaps: Default::default() });
             }
         }
     }

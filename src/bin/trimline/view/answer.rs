@@ -1,8 +1,8 @@
 //! The scene as JSON: what is wrong, what can be changed, and each patch in the form the page evaluates.
 //!
-//! A patch is `S(u, v, t) = Σ_j F_j(v, t) G_j(u)`. The F_j travel as a straight-line program with their derivatives in
-//! v, the G_j as Chebyshev series, the boundary data as a program of their own: so the page draws at any resolution and
-//! any t, and measures the gap at the boundary, without asking again.
+//! A patch that is `S(u, v, t) = Σ_j F_j(v, t) G_j(u)` travels as that: the F_j as a straight-line program with their
+//! derivatives in v, the G_j as Chebyshev series. So the page draws it at any resolution and any t without asking again.
+//! Any other patch is [`Form::Sampled`]: the page asks for its vertices (see `vertices`). Boundary data are programs.
 
 use std::sync::Arc;
 use std::time::Instant;
@@ -14,15 +14,15 @@ use trimline::diagnostic::Diagnostic;
 use trimline::emit::amplitude_series;
 use trimline::eval::{Op, OpId, Program};
 use trimline::export::Format;
-use trimline::expr::{Derivative, unicode_name};
+use trimline::expr::{Derivative, ExprId, Graph, Notation, unicode_name};
+use trimline::limits::Limits;
 use trimline::method::Solution;
 use trimline::numeric::ChebyshevSeries;
-use trimline::problem::ParameterKind;
+use trimline::problem::{DomainValues, Explanation, ParameterKind, Patch as StatedPatch};
 use trimline::verify::verify_joins;
 
 use super::finding::Finding;
 use super::live::{Answerable, Live};
-use super::notation;
 use super::server::Question;
 use crate::failure::Failure;
 use crate::joins::{self, JoinReport};
@@ -85,28 +85,49 @@ struct Patch {
     domain: [[f64; 2]; 3],
     /// The instant it was solved at.
     time: f64,
-    /// Whether it holds at that instant only.
-    is_instant: bool,
     /// The value of every symbol of the programs.
     symbols: Vec<f64>,
-    /// F_1 …, then their first derivatives in v, then the second where they exist.
-    basis: Value,
-    count: usize,
-    amplitudes: Series,
-    /// x, y and z of each condition.
-    boundary: Value,
-    conditions: Vec<Condition>,
-    equation: String,
+    form: Form,
+    /// Constraints at fixed u, then those at fixed v.
+    boundary: [Boundary; 2],
+    /// The problem as understood, in LaTeX.
+    mathematics: Vec<String>,
     functions: Vec<String>,
     report: Value,
     joins: Vec<JoinReport>,
 }
 
+/// How the page comes to a patch's vertices.
+#[derive(Serialize)]
+#[serde(tag = "kind", rename_all = "lowercase")]
+enum Form {
+    /// It evaluates a sum of products.
+    Separable {
+        /// Whether that holds at the patch's instant only.
+        is_instant: bool,
+        /// F_1 …, then their first derivatives in v, then the second where they exist.
+        basis: Value,
+        count: usize,
+        amplitudes: Series,
+    },
+    /// It asks for them.
+    Sampled,
+}
+
+/// The constraints at fixed values of one parameter.
+#[derive(Serialize)]
+struct Boundary {
+    /// `u` or `v`.
+    across: &'static str,
+    conditions: Vec<Condition>,
+    /// x, y and z of each condition.
+    program: Value,
+}
+
 #[derive(Serialize)]
 struct Condition {
-    u: f64,
+    at: f64,
     order: usize,
-    text: String,
 }
 
 /// A Chebyshev series: a row for each degree.
@@ -120,7 +141,6 @@ impl Scene {
     /// The scene at the page's instant and values.
     pub fn of(live: &Live, question: &Question) -> Scene {
         let start = Instant::now();
-        let revision = *live.revision.borrow();
         live.answer(&question.changes, question.time, |answerable, failure| {
             let mut findings = failure.map(Finding::of_failure).unwrap_or_default();
             let solved = match answerable.map(|answerable| answerable.and_then(|it| SolvedScene::of(&it))) {
@@ -135,7 +155,7 @@ impl Scene {
                 None => None,
             };
             Scene {
-                revision,
+                revision: *live.revision.borrow(),
                 name: live.path.clone(),
                 is_current: failure.is_none(),
                 findings,
@@ -181,7 +201,7 @@ fn primaries(answerable: &Answerable<'_>) -> Result<Vec<Primary>, Failure> {
 }
 
 /// Where patches meet at the page's instant; none are looked for between the ends of a single patch.
-fn seams(answerable: &Answerable<'_>) -> Result<Vec<SeamReport>, Failure> {
+pub fn seams(answerable: &Answerable<'_>) -> Result<Vec<SeamReport>, Failure> {
     let (spec, patches) = (answerable.spec, &answerable.patches);
     if patches.len() < 2 && spec.problem.seams.is_empty() {
         return Ok(Vec::new());
@@ -219,36 +239,71 @@ fn parameters(spec: &Spec) -> Result<Vec<Parameter>, Diagnostic> {
 
 fn patch(spec: &Spec, patched: &Patched, solved: &Solved, joins: Vec<JoinReport>) -> Result<Patch, Diagnostic> {
     let prepared = &patched.prepared;
-    let surface = solved.solution.separable().map_err(|finding| finding.at(prepared.patch().boundary_origin()))?;
-    let (stated, domain, graph) = (prepared.patch(), prepared.domain, &spec.problem.graph);
-    let slopes = [Derivative::NONE, Derivative::new(0, 1, 0), Derivative::new(0, 2, 0)];
-    // A basis with a kink has no second derivative, so no curvature; without the first there is no normal either.
-    let basis = surface.basis.program(&slopes).or_else(|_| surface.basis.program(&slopes[..2]))?;
-    let data: Vec<_> = stated.conditions.iter().flat_map(|condition| condition.value).collect();
-    let mut conditions = Vec::with_capacity(stated.conditions.len());
-    for condition in &stated.conditions {
-        let u = spec.bindings.constant(&spec.problem, condition.u, None, "the position of a boundary")?;
-        conditions.push(Condition { u, order: condition.order, text: notation::condition(graph, condition) });
-    }
-    let functions = prepared.decomposition.basis.iter();
+    let (stated, domain) = (prepared.patch(), prepared.domain);
+    let decomposition = &prepared.decomposition;
+    let functions = decomposition.basis.iter();
+    let at_u = stated.conditions.iter().map(|condition| (condition.u, condition.order, condition.value));
+    let at_v = stated.side_conditions.iter().map(|condition| (condition.v, condition.order, condition.value));
     Ok(Patch {
         name: stated.name.clone(),
         domain: [domain.u, domain.v, domain.t],
         time: solved.time,
-        is_instant: surface.instant.is_some(),
-        symbols: surface.params.clone(),
-        basis: program(&basis),
-        count: surface.basis.len(),
-        amplitudes: series(amplitude_series(surface, domain)?),
-        boundary: program(&Program::compile(graph, &data)),
-        conditions,
-        equation: notation::equation(graph, &stated.operator),
-        functions: functions
-            .map(|function| notation::expression(&prepared.decomposition.graph, function.expr))
-            .collect(),
+        symbols: spec.bindings.as_slice().to_vec(),
+        form: form(solved, domain),
+        boundary: [boundary(spec, "u", at_u.collect())?, boundary(spec, "v", at_v.collect())?],
+        mathematics: mathematics(spec, stated),
+        functions: functions.map(|function| latex(&decomposition.graph, function.expr)).collect(),
         report: report(&solved.solution, solved),
         joins,
     })
+}
+
+/// A sum of products, if the surface is one that the page can evaluate as well as the library.
+fn form(solved: &Solved, domain: DomainValues) -> Form {
+    // Without functions there is nothing to add up: the surface is zero.
+    let separable = solved.solution.surface.as_separable().filter(|surface| surface.basis.len() > 0);
+    let Some(surface) = separable else { return Form::Sampled };
+    let slopes = [Derivative::NONE, Derivative::new(0, 1, 0), Derivative::new(0, 2, 0)];
+    // A basis with a kink has no second derivative, so no curvature; without the first there is no normal either.
+    let basis = surface.basis.program(&slopes).or_else(|_| surface.basis.program(&slopes[..2]));
+    let (Ok(basis), Ok(amplitudes)) = (basis, amplitude_series(surface, domain)) else { return Form::Sampled };
+    Form::Separable {
+        is_instant: surface.instant.is_some(),
+        basis: program(&basis),
+        count: surface.basis.len(),
+        amplitudes: series(amplitudes),
+    }
+}
+
+fn boundary(
+    spec: &Spec,
+    across: &'static str,
+    stated: Vec<(ExprId, usize, [ExprId; 3])>,
+) -> Result<Boundary, Diagnostic> {
+    let mut conditions = Vec::with_capacity(stated.len());
+    for &(at, order, _) in &stated {
+        let at = spec.bindings.constant(&spec.problem, at, None, "the position of a boundary")?;
+        conditions.push(Condition { at, order });
+    }
+    let data: Vec<ExprId> = stated.into_iter().flat_map(|(_, _, value)| value).collect();
+    Ok(Boundary { across, conditions, program: program(&Program::compile(&spec.problem.graph, &data)) })
+}
+
+/// Longer expressions are not readable, whatever their notation.
+const LONGEST: usize = 2000;
+
+fn mathematics(spec: &Spec, patch: &StatedPatch) -> Vec<String> {
+    let limits = Limits { text_bytes: LONGEST, ..spec.limits.clone() };
+    match spec.problem.explain(patch, Notation::Latex, &limits) {
+        Ok(Explanation { equation, domain, constraints, deformations, .. }) => {
+            [equation, domain, constraints, deformations].into_iter().filter(|part| !part.is_empty()).collect()
+        }
+        Err(_) => vec![r"\text{(the problem is too long to be shown)}".to_owned()],
+    }
+}
+
+fn latex(graph: &Graph, expr: ExprId) -> String {
+    graph.text(expr, Notation::Latex, LONGEST).unwrap_or_else(|_| r"\text{(a long expression)}".to_owned())
 }
 
 fn report(solution: &Solution, solved: &Solved) -> Value {

@@ -17,12 +17,8 @@ pub fn of(live: &Live, question: &Question) -> Result<impl IntoResponse + use<>,
     let format =
         Format::from_extension(extension).ok_or_else(|| Failure::Usage(format!("there is no format `{extension}`")))?;
     let grid = read_grid(question.option("grid").unwrap_or("64x128"))?;
-    live.answer(&question.changes, question.time, |answerable, failure| {
-        let answerable = match (answerable, failure) {
-            (Some(answerable), _) => answerable?,
-            (None, _) => return Err(Failure::Usage("the spec has errors, so there is nothing to export".to_owned())),
-        };
-        let scene = scene(&answerable, grid)?;
+    live.answer_with(&question.changes, question.time, |answerable| {
+        let scene = scene(answerable, grid)?;
         let mut bytes = Vec::new();
         write(&scene, format, &mut bytes)
             .map_err(|error| Failure::Found { source: None, findings: vec![error.to_diagnostic()] })?;

@@ -30,16 +30,29 @@ struct State {
 struct Compiled {
     spec: Spec,
     patches: Vec<Patched>,
+    /// The newest solutions: a page asks for the same ones several times, for positions, residuals and files.
+    solutions: Option<Solutions>,
+}
+
+/// The spec with values from the page, and its patches solved at one instant.
+struct Solutions {
+    changes: Vec<String>,
+    spec: Spec,
+    times: [f64; 2],
+    time: f64,
+    solved: Vec<Solved>,
 }
 
 /// A spec with values from the page, and its patches solved at one instant.
 pub struct Answerable<'a> {
     pub spec: &'a Spec,
+    /// How often the spec was read.
+    pub revision: u64,
     /// The instants that all patches have.
     pub times: [f64; 2],
     /// The instant of the solutions.
     pub time: f64,
-    pub patches: Vec<(&'a Patched, Solved)>,
+    pub patches: Vec<(&'a Patched, &'a Solved)>,
 }
 
 impl Live {
@@ -69,7 +82,7 @@ impl Live {
             Ok(compiled) => *state = State { good: Some(compiled), failure: None },
             Err(failure) => state.failure = Some(failure),
         }
-        drop(state);
+        // Before anybody can be answered from the new text.
         self.revision.send_modify(|revision| *revision += 1);
     }
 
@@ -84,13 +97,24 @@ impl Live {
         answer: impl FnOnce(Option<Result<Answerable<'_>, Failure>>, Option<&Failure>) -> T,
     ) -> T {
         let mut state = self.state();
+        let revision = *self.revision.borrow();
         let State { good, failure } = &mut *state;
         let Some(compiled) = good else { return answer(None, failure.as_ref()) };
-        let spec = match compiled.spec.with(changes) {
-            Ok(spec) => spec,
-            Err(fault) => return answer(Some(Err(fault)), failure.as_ref()),
-        };
-        answer(Some(compiled.solve(&spec, time.or(self.solving.time))), failure.as_ref())
+        let answerable = compiled.answerable(changes, time.or(self.solving.time), revision);
+        answer(Some(answerable), failure.as_ref())
+    }
+
+    /// As [`Live::answer`], for what is only there with a surface.
+    pub fn answer_with<T>(
+        &self,
+        changes: &[String],
+        time: Option<f64>,
+        answer: impl FnOnce(&Answerable<'_>) -> Result<T, Failure>,
+    ) -> Result<T, Failure> {
+        self.answer(changes, time, |answerable, _| match answerable {
+            Some(answerable) => answer(&answerable?),
+            None => Err(Failure::Usage("the spec has errors, so there is no surface".to_owned())),
+        })
     }
 
     fn state(&self) -> MutexGuard<'_, State> {
@@ -104,21 +128,37 @@ impl Compiled {
         let spec = Spec::read(path, &solving.reading)?;
         let patches =
             spec.patches.iter().map(|patch| spec.prepare(patch, solving, points)).collect::<Result<_, _>>()?;
-        Ok(Compiled { spec, patches })
+        Ok(Compiled { spec, patches, solutions: None })
     }
 
-    fn solve<'a>(&'a mut self, spec: &'a Spec, time: Option<f64>) -> Result<Answerable<'a>, Failure> {
+    fn answerable(&mut self, changes: &[String], time: Option<f64>, revision: u64) -> Result<Answerable<'_>, Failure> {
+        let known =
+            self.solutions.take().filter(|known| known.changes == changes && instant(time, known.times) == known.time);
+        let solutions = match known {
+            Some(known) => known,
+            None => self.solve(changes, time)?,
+        };
+        let Solutions { spec, times, time, solved, .. } = self.solutions.insert(solutions);
+        let patches = self.patches.iter().zip(&*solved).collect();
+        Ok(Answerable { spec, revision, times: *times, time: *time, patches })
+    }
+
+    fn solve(&mut self, changes: &[String], time: Option<f64>) -> Result<Solutions, Failure> {
+        let spec = self.spec.with(changes)?;
         for patched in &mut self.patches {
             patched.prepared.refresh(&spec.problem, &spec.bindings).map_err(|finding| spec.fault(finding))?;
         }
         let times = spec.common_times(&self.patches)?;
-        let [start, end] = times;
-        // An edit may have moved the time domain away from the page's instant.
-        let time = time.unwrap_or(start).clamp(start, end);
-        let mut patches = Vec::with_capacity(self.patches.len());
+        let time = instant(time, times);
+        let mut solved = Vec::with_capacity(self.patches.len());
         for patched in &self.patches {
-            patches.push((patched, spec.solve(patched, time)?));
+            solved.push(spec.solve(patched, time)?);
         }
-        Ok(Answerable { spec, times, time, patches })
+        Ok(Solutions { changes: changes.to_vec(), spec, times, time, solved })
     }
+}
+
+/// The page's instant; an edit may have moved the time domain away from it.
+fn instant(time: Option<f64>, [start, end]: [f64; 2]) -> f64 {
+    time.unwrap_or(start).clamp(start, end)
 }

@@ -3,18 +3,19 @@
 //! The server answers GET on loopback and nothing else; it serves the page that is part of the binary and what it
 //! works out from the one spec it was given. Every answer is a function of the spec's text and the address asked for:
 //! the page keeps its own slider positions and sends them with each question, so several pages do not disturb each
-//! other. Positions between the answers are worked out in the page, from the basis as a program and the functions of
-//! u as series (see `answer`), so moving through time asks nothing.
+//! other. Where the surface is a sum of products, the page works out positions itself, from the basis as a program and the
+//! functions of u as series (see `answer`), so moving through time asks nothing; otherwise it asks for vertices.
 
 mod answer;
 mod export;
 mod finding;
+mod gaps;
 mod guard;
 mod live;
 mod motion;
-mod notation;
 mod residual;
 mod server;
+mod vertices;
 mod watch;
 
 use std::net::{Ipv4Addr, SocketAddr};

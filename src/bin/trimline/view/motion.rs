@@ -5,6 +5,7 @@
 //! is true to what a screen shows; the error is measured at other instants and sent along. Otherwise the page asks for
 //! every instant.
 
+use std::sync::Arc;
 use std::time::Duration;
 
 use serde::Serialize;
@@ -12,7 +13,6 @@ use serde::Serialize;
 use trimline::diagnostic::Diagnostic;
 use trimline::emit::amplitude_series;
 use trimline::expr::Derivative;
-use trimline::method::Solution;
 use trimline::numeric::{ChebyshevSeries, NodeKind, nodes};
 use trimline::problem::DomainValues;
 use trimline::surface::Surface;
@@ -53,7 +53,7 @@ struct Interpolation {
 
 /// A patch solved at one instant.
 struct Sample {
-    solution: Solution,
+    surface: Arc<dyn Surface + Send + Sync>,
     domain: DomainValues,
     time: f64,
 }
@@ -64,7 +64,7 @@ pub fn of(live: &Live, question: &Question) -> Result<Motion, Failure> {
     let Some(now) = samples(live, question, question.time)? else { return Ok(Motion { patches: Vec::new() }) };
     let mut patches = Vec::with_capacity(now.len());
     for (index, sample) in now.iter().enumerate() {
-        if sample.solution.surface.as_separable().is_none_or(|surface| surface.instant.is_none()) {
+        if sample.surface.as_separable().is_none_or(|surface| surface.instant.is_none()) {
             patches.push(None);
             continue;
         }
@@ -85,8 +85,8 @@ fn samples(live: &Live, question: &Question, time: Option<f64>) -> Result<Option
         let Some(answerable) = answerable else { return Ok(None) };
         let answerable = answerable?;
         let times = answerable.times;
-        let samples = answerable.patches.into_iter().map(|(patched, solved)| Sample {
-            solution: solved.solution,
+        let samples = answerable.patches.iter().map(|(patched, solved)| Sample {
+            surface: Arc::clone(&solved.solution.surface),
             domain: DomainValues { t: times, ..patched.prepared.domain },
             time: solved.time,
         });
@@ -107,9 +107,9 @@ fn interpolation(
     for count in INSTANTS {
         let Some(samples) = solved(NodeKind::Chebyshev, count)? else { return Ok(None) };
         let series = samples.iter().map(|sample| {
-            sample.solution.separable().and_then(|surface| amplitude_series(surface, domain)).map_err(fault)
+            sample.surface.as_separable().map(|surface| amplitude_series(surface, domain)).transpose().map_err(fault)
         });
-        let series: Vec<ChebyshevSeries> = series.collect::<Result<_, _>>()?;
+        let Some(series) = series.collect::<Result<Option<Vec<ChebyshevSeries>>, _>>()? else { return Ok(None) };
         let instants: Vec<f64> = samples.iter().map(|sample| sample.time).collect();
         let mut error = 0.0_f64;
         for judge in &judges {
@@ -140,8 +140,8 @@ fn in_single_precision(instants: Vec<f64>, series: &[ChebyshevSeries], error: f6
 
 /// The largest distance between the interpolated surface and a solved one, relative to the largest coordinate.
 fn distance(instants: &[f64], series: &[ChebyshevSeries], judge: &Sample) -> Result<f64, Diagnostic> {
-    let Sample { solution, domain, time } = judge;
-    let surface = solution.separable()?;
+    let Sample { surface, domain, time } = judge;
+    let Some(surface) = surface.as_separable() else { return Ok(f64::INFINITY) };
     let weights = barycentric(instants, *time);
     let (u, v) = (nodes(NodeKind::Midpoints, GRID[0], domain.u), nodes(NodeKind::Ends, GRID[1], domain.v));
     let basis = surface.basis.values(Derivative::NONE, &surface.params, &v, &vec![*time; v.len()])?;

@@ -29,11 +29,7 @@ struct Field {
 
 /// The residuals at the page's instant and values.
 pub fn of(live: &Live, question: &Question) -> Result<Residual, Failure> {
-    live.answer(&question.changes, question.time, |answerable, _| {
-        let Some(answerable) = answerable else {
-            return Err(Failure::Usage("the spec has errors, so there is no surface".to_owned()));
-        };
-        let answerable = answerable?;
+    live.answer_with(&question.changes, question.time, |answerable| {
         let spec = answerable.spec;
         let mut patches = Vec::new();
         for (patched, solved) in &answerable.patches {

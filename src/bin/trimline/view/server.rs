@@ -17,10 +17,12 @@ use tokio_stream::{Stream, StreamExt};
 use super::answer::Scene;
 use super::export;
 use super::finding::Finding;
+use super::gaps;
 use super::guard::guard;
 use super::live::Live;
 use super::motion;
 use super::residual;
+use super::vertices;
 use crate::failure::Failure;
 
 /// Questions that are being answered or wait for it; further ones are refused.
@@ -86,6 +88,8 @@ pub fn routes(live: Arc<Live>, port: u16) -> Router {
             "/residual",
             get(|service, query| answer(service, query, |live, asked| residual::of(live, asked).map(Json))),
         )
+        .route("/gaps", get(|service, query| answer(service, query, |live, asked| gaps::of(live, asked).map(Json))))
+        .route("/vertices", get(|service, query| answer(service, query, vertices::of)))
         .route("/export", get(|service, query| answer(service, query, export::of)))
         .layer(middleware::from_fn_with_state(port, guard))
         .with_state(Arc::new(service))

@@ -50,8 +50,9 @@ const contact = ({ gap, angle_degrees: angle }) =>
 
 export function showReport({ patches, seams, time: measured }) {
   const number = (value) => (value === null ? "unbounded" : Number(value.toPrecision(3)).toString());
-  const rows = patches.flatMap(({ name, time, is_instant, report }) => [
-    ["patch", name], ["method", report.method], ["holds", is_instant ? `at t = ${Number(time.toPrecision(5))}` : "for every t"],
+  const rows = patches.flatMap(({ name, time, form, report }) => [
+    ["patch", name], ["method", report.method],
+    ["holds", form.kind === "sampled" || form.is_instant ? `at t = ${Number(time.toPrecision(5))}` : "for every t"],
     ["basis functions", report.closure_size ? `${report.basis_size}, ${report.closure_size} with closure` : report.basis_size],
     ["terms each", report.modes], ["boundary error", number(report.boundary_error)], ["PDE residual", number(report.pde_residual)],
     report.amplification === null ? ["rank", `${report.rank} of ${report.unknowns}, condition ${number(report.condition)}`]
@@ -77,8 +78,7 @@ function formula(text) {
 }
 
 export function showMathematics(patches) {
-  byId("equation").replaceChildren(...patches.flatMap(({ equation, conditions }) =>
-    [equation, ...conditions.map(({ text }) => text)].map(formula)));
+  byId("equation").replaceChildren(...patches.flatMap(({ mathematics }) => mathematics.map(formula)));
   byId("basis").replaceChildren(...patches.flatMap(({ functions }) =>
     functions.map((text, j) => formula(`F_{${j + 1}} = ${text}`))));
 }

@@ -18,6 +18,19 @@ export async function ask(path, question) {
   return { ok: response.ok, ...answer };
 }
 
+// The vertices of patches that the page cannot evaluate itself, by patch; `null` if they belong to another text.
+export async function askVertices(question, { patches, grid, revision }) {
+  if (patches.length === 0) return { ok: true, samples: new Map() };
+  const url = address("/vertices", { ...question, patches: patches.join(","), grid });
+  requests.push(url);
+  const response = await fetch(url);
+  if (!response.ok) return { ok: false, ...(await response.json()) };
+  if (response.headers.get("trimline-revision") !== String(revision)) return null;
+  const numbers = new Float32Array(await response.arrayBuffer());
+  const size = numbers.length / patches.length;
+  return { ok: true, samples: new Map(patches.map((patch, k) => [patch, numbers.subarray(k * size, (k + 1) * size)])) };
+}
+
 // Runs `work` for the newest call only, one at a time.
 export function newestOnly(work) {
   let running = false, again = false;

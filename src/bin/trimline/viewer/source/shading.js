@@ -2,9 +2,9 @@
 
 import * as THREE from "three";
 
-export const SHADES = ["plain", "zebra", "Gaussian curvature", "mean curvature", "residual", "gap"];
+export const SHADES = ["plain", "zebra", "Gaussian curvature", "mean curvature", "residual", "gap", "seam gap"];
 
-// Once for every new table: a pixel for each vertex, which holds its position and Gaussian curvature, and its normal and
+// Once for every new table of a sum of products: a pixel for each vertex, which holds its position and Gaussian curvature, and its normal and
 // mean curvature. Drawing then fetches two values a vertex, however large the basis is.
 const SUM = `
 precision highp float;
@@ -99,7 +99,7 @@ void main() {
     base = diverging(gauss * size * size / (1.0 + abs(gauss) * size * size));
   } else if (mode == 3) {
     base = diverging(mean * size / (1.0 + abs(mean) * size));
-  } else if (mode >= 4) {
+  } else if (mode >= 4 && shade >= 0.0) {
     base = rising(clamp((log(max(shade, 1e-17)) / log(10.0) + 16.0) / 16.0, 0.0, 1.0));
   }
   vec3 lit = base * (mode >= 2 ? 0.45 + 0.55 * light : light);

@@ -2,9 +2,10 @@
 
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { Patch } from "./patch.js";
 import { Primary } from "./primary.js";
 import { evenly } from "./program.js";
+import { Sampled } from "./sampled.js";
+import { Separable } from "./separable.js";
 import { SHADES, sharedUniforms } from "./shading.js";
 
 const ARROWS = 24;
@@ -65,37 +66,32 @@ export class Stage {
     this.afterFrame.splice(0).forEach((report) => report());
   }
 
-  // As many drawn things as there are data.
-  match(drawn, data, make) {
-    while (drawn.length > data.length) {
-      const gone = drawn.pop();
-      this.scene.remove(gone.mesh);
-      gone.dispose();
-    }
-    while (drawn.length < data.length) {
-      const made = make();
-      drawn.push(made);
-      this.scene.add(made.mesh);
-    }
+  // As many drawn things as there are data, each of the class that its data want.
+  match(drawn, data, classOf) {
+    const drop = (gone) => { this.scene.remove(gone.mesh); gone.dispose(); };
+    drawn.splice(data.length).forEach(drop);
+    data.forEach((it, index) => {
+      const wanted = classOf(it);
+      if (drawn[index] instanceof wanted) return;
+      if (drawn[index]) drop(drawn[index]);
+      drawn[index] = new wanted(this.shared);
+      this.scene.add(drawn[index].mesh);
+    });
   }
 
-  // New numbers for all patches and primary surfaces.
-  show(data, surfaces, cells, time) {
-    this.match(this.patches, data, () => new Patch(this.shared));
-    this.match(this.primaries, surfaces, () => new Primary());
-    data.forEach((patch, index) => this.patches[index].set(patch, cells, time));
+  // New numbers for all patches and primary surfaces; `samples` has the vertices of each patch that needs them.
+  show(data, surfaces, cells, time, samples) {
+    this.match(this.patches, data, ({ form }) => (form.kind === "separable" ? Separable : Sampled));
+    this.match(this.primaries, surfaces, () => Primary);
+    data.forEach((patch, index) => this.patches[index].set(patch, cells, time, samples.get(index)));
     this.surfaces = surfaces;
     this.time = time;
     if (!this.isPlaced) this.placeCamera();
     this.redrawGiven();
   }
 
-  knows(time) {
-    return this.patches.every((patch) => patch.knows(time));
-  }
-
-  setTime(time) {
-    this.patches.forEach((patch) => patch.setTime(time));
+  setTime(time, samples = new Map()) {
+    this.patches.forEach((patch, index) => patch.setTime(time, samples.get(index)));
     this.time = time;
     this.redrawGiven();
   }
@@ -147,11 +143,9 @@ export class Stage {
     for (const old of this.curves.children) { old.geometry.dispose(); old.material.dispose(); }
     this.curves.clear();
     for (const patch of this.patches) {
-      const conditions = patch.prescribed(patch.v);
-      if (this.layers.trimlines) {
-        conditions.filter(({ order }) => order === 0).forEach(({ values }) => this.line(values, COLORS.trimlines));
-      }
-      if (this.layers.edges) {
+      const lines = patch.prescribed(0);
+      if (this.layers.trimlines) lines.forEach(({ values }) => this.line(values, COLORS.trimlines));
+      if (this.layers.edges && lines.every(({ across }) => across === "u")) {
         const edges = patch.points(patch.u, patch.data.domain[1]);
         [0, 1].forEach((end) => this.line(edges.map((row) => row[end]), COLORS.edges));
       }
@@ -167,14 +161,14 @@ export class Stage {
 
   // Prescribed tangents, the longest a fifth of the surface.
   arrows(patch) {
-    const vs = evenly(patch.data.domain[1], ARROWS);
-    const tangents = patch.prescribed(vs).filter(({ order }) => order === 1);
+    const [u, v] = patch.data.domain.map((range) => evenly(range, ARROWS));
+    const tangents = patch.prescribed(1, { u, v });
     const longest = Math.max(...tangents.flatMap(({ values }) => values.map((vector) => Math.hypot(...vector))), 0);
     if (longest === 0) return;
     const points = [];
-    for (const { u, values } of tangents) {
-      const [feet] = patch.points([u], vs);
-      values.forEach((vector, i) => {
+    for (const tangent of tangents) {
+      const feet = patch.line(tangent);
+      tangent.values.forEach((vector, i) => {
         const foot = new THREE.Vector3(...feet[i]);
         const tip = new THREE.Vector3(...vector).multiplyScalar((0.2 * this.radius) / longest).add(foot);
         const along = new THREE.Vector3().subVectors(tip, foot);
@@ -201,10 +195,7 @@ export class Stage {
 
   // The position of a vertex as it is drawn.
   vertex(i, j, index) {
-    this.render();
-    const values = new Float32Array(4);
-    this.renderer.readRenderTargetPixels(this.patches[index].target, j, i, 1, 1, values);
-    return Array.from(values.subarray(0, 3));
+    return this.patches[index].vertex(this.renderer, i, j);
   }
 
   // How many pixels differ from the background, and a number that differs between pictures.

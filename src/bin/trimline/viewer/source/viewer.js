@@ -1,7 +1,7 @@
 // The view of one spec: asks the server for the surface, draws it, and follows the spec as it is edited.
 
 import * as address from "./address.js";
-import { ask, keep, newestOnly, requests, save } from "./server.js";
+import { ask, askVertices, keep, newestOnly, requests, save } from "./server.js";
 import { buttons, byId, choices, showFindings, showLegend, showMathematics, showReport, showValues, toggles } from "./panel.js";
 import { SHADES } from "./shading.js";
 import { Stage } from "./stage.js";
@@ -22,7 +22,7 @@ const state = {
   camera: start.camera,
 };
 // What the page knows, for tests: they wait on these instead of on the clock.
-const facts = { revision: 0, answers: 0, motions: 0, drawnAt: 0, serverMilliseconds: 0, tableMilliseconds: 0, findings: [], errors: [] };
+const facts = { revision: 0, answers: 0, motions: 0, moves: 0, gaps: 0, drawnAt: 0, serverMilliseconds: 0, tableMilliseconds: 0, findings: [], errors: [] };
 
 let scene = null;
 let isPlaying = false;
@@ -51,8 +51,22 @@ const refresh = newestOnly(async () => {
     refresh();
     return;
   }
+  if (answer.solved) {
+    const { solved } = answer;
+    solved.sampled = solved.patches.flatMap(({ form }, index) => (form.kind === "sampled" ? [index] : []));
+    const [from, to] = solved.times;
+    if (state.time === null || !(state.time >= from && state.time <= to)) state.time = solved.time;
+    const vertices = await verticesOf(solved, answer.revision, solved.time);
+    // Of a text that was edited meanwhile: its own answer is on its way.
+    if (!vertices) return;
+    if (vertices.ok) solved.samples = vertices.samples;
+    else Object.assign(answer, { solved: null, findings: vertices.findings });
+  }
   take(answer);
 });
+
+const verticesOf = ({ sampled }, revision, time) =>
+  askVertices({ time, values: state.values }, { patches: sampled, grid: state.grid, revision }).catch(() => null);
 
 function take(answer) {
   const isNew = answer.revision !== facts.revision;
@@ -63,9 +77,9 @@ function take(answer) {
   byId("status").textContent = answer.is_current && answer.solved ? "" : answer.solved || scene
     ? "the picture is that of the last text without errors" : "there is no surface yet";
   if (answer.solved) {
-    const mathematics = JSON.stringify(answer.solved.patches.map(({ equation, conditions, functions }) => [equation, conditions, functions]));
+    const mathematics = JSON.stringify(answer.solved.patches.map(({ mathematics, functions }) => [mathematics, functions]));
     const isOther = scene?.mathematics !== mathematics;
-    scene = { ...answer.solved, mathematics };
+    scene = { ...answer.solved, mathematics, revision: answer.revision };
     draw();
     showValues(scene.parameters, setValue);
     showReport(scene);
@@ -84,9 +98,10 @@ function take(answer) {
 // The tables of all patches for the newest numbers.
 function draw() {
   const [from, to] = scene.times;
-  if (state.time === null || !(state.time >= from && state.time <= to)) state.time = scene.time;
   const began = performance.now();
-  stage.show(scene.patches, scene.surfaces, cells(), state.time);
+  // Vertices hold at the instant they were asked for, and what is drawn is all of one instant.
+  const time = scene.sampled.length ? scene.time : state.time;
+  stage.show(scene.patches, scene.surfaces, cells(), time, scene.samples);
   facts.tableMilliseconds = performance.now() - began;
   if (start.camera) { stage.view = start.camera; start.camera = null; }
   Object.assign(byId("time"), { min: from, max: to });
@@ -103,12 +118,30 @@ function setTime(time) {
   state.time = time;
   showTime();
   remember();
-  if (!stage.knows(time)) { refresh(); return; }
+  if (!scene) return;
+  // A solution of another instant, or only its vertices, or nothing has to be asked for.
+  if (!scene.patches.every(({ form }, index) => form.kind === "sampled" || stage.patches[index].knows(time))) refresh();
+  else if (scene.sampled.length) moveSampled();
+  else move(time);
+}
+
+function move(time, samples) {
   const began = performance.now();
-  stage.setTime(time);
+  stage.setTime(time, samples);
   facts.tableMilliseconds = performance.now() - began;
+  facts.moves += 1;
   colour();
 }
+
+const moveSampled = newestOnly(async () => {
+  const [asked, { time }] = [scene, state];
+  const vertices = await verticesOf(asked, asked.revision, time);
+  if (scene !== asked || !vertices) return;
+  if (vertices.ok) {
+    Object.assign(scene, { samples: vertices.samples, time });
+    move(time, vertices.samples);
+  } else showFindings(vertices.findings);
+});
 
 function setValue(name, value) {
   if (!String(value).trim()) delete state.values[name];
@@ -121,7 +154,7 @@ function setValue(name, value) {
 let rest = 0;
 function learnMotion() {
   clearTimeout(rest);
-  if (!scene.patches.some(({ is_instant }) => is_instant)) { facts.motions += 1; return; }
+  if (!scene.patches.some(({ form }) => form.is_instant)) { facts.motions += 1; return; }
   const asked = scene;
   rest = setTimeout(async () => {
     const answer = await ask("/motion", question()).catch(() => null);
@@ -146,9 +179,17 @@ function play(on) {
   if (on) requestAnimationFrame(step);
 }
 
+// Why there is no colouring, where the surface itself can be drawn.
+function refuse(answer) {
+  stage.patches.forEach((patch) => patch.setScalars(() => -1));
+  showLegend({ low: "", high: "", isRising: true, text: answer?.findings?.[0]?.message ?? "the server has gone" });
+  stage.invalidate();
+}
+
 const fillResidual = newestOnly(async () => {
   const answer = await ask("/residual", question()).catch(() => null);
-  if (!answer?.ok || state.shade !== "residual") return;
+  if (state.shade !== "residual") return;
+  if (!answer?.ok) { refuse(answer); return; }
   answer.patches.forEach(({ rows, columns, values }, index) => {
     const patch = stage.patches[index];
     if (!patch) return;
@@ -166,25 +207,43 @@ const fillResidual = newestOnly(async () => {
   stage.invalidate();
 });
 
-function fillGaps() {
-  let worst = 0, open = 0;
-  for (const patch of stage.patches) {
-    const { boundary, seam } = patch.gaps();
-    worst = Math.max(worst, ...boundary.flatMap(({ values }) => Array.from(values)));
-    open = Math.max(open, ...seam);
-    // Between two trimlines the colour goes over from one's gap to the other's.
-    patch.setScalars((i, j) => {
-      const u = patch.u[i];
-      const below = boundary.filter((it) => it.u <= u).at(-1) ?? boundary[0], above = boundary.find((it) => it.u >= u) ?? below;
-      if (!below) return 0;
-      const share = above.u > below.u ? (u - below.u) / (above.u - below.u) : 0;
-      return below.values[j] * (1 - share) + above.values[j] * share;
+// How wide the edges are coloured, of the patch.
+const BAND = 0.06;
+
+// Colours bands along the edges by what the server measured there.
+const fillGaps = newestOnly(async () => {
+  const answer = await ask("/gaps", question()).catch(() => null);
+  const isSeam = state.shade === "seam gap";
+  if (!isSeam && state.shade !== "gap") return;
+  if (!answer?.ok) { refuse(answer); return; }
+  let worst = 0, count = 0;
+  answer.patches.forEach(({ boundary, seams }, index) => {
+    const patch = stage.patches[index];
+    if (!patch) return;
+    const lines = (isSeam ? seams : boundary).map(({ across, at, values }) => {
+      const [[low, high], nodes] = across === "u" ? [patch.data.domain[0], patch.u] : [patch.data.domain[1], patch.v];
+      worst = Math.max(worst, ...values);
+      count += 1;
+      return { across, values, isNear: Array.from(nodes, (x) => Math.abs(x - at) <= BAND * (high - low)) };
     });
-  }
-  const text = `gap at the trimlines at most ${worst.toExponential(1)}; the ends of v are up to ${open.toExponential(1)} apart`;
+    const [nu, nv] = patch.cells;
+    const along = (values, share) => {
+      const at = share * (values.length - 1), from = Math.min(Math.floor(at), values.length - 2);
+      return values[from] * (1 - (at - from)) + values[from + 1] * (at - from);
+    };
+    patch.setScalars((i, j) => Math.max(-1, ...lines.map(({ across, values, isNear }) => {
+      if (!isNear[across === "u" ? i : j]) return -1;
+      return across === "u" ? along(values, j / nv) : along(values, i / nu);
+    })));
+  });
+  const largest = worst.toExponential(1);
+  const text = isSeam ? (count ? `gap between neighbours at most ${largest}` : "no edge of a patch meets another")
+    : `gap to the prescribed positions at most ${largest}`;
   showLegend({ low: "1e-16", high: "1", isRising: true, text });
   facts.gap = worst;
-}
+  facts.gaps += 1;
+  stage.invalidate();
+});
 
 function colour() {
   stage.shade = state.shade;
@@ -192,7 +251,7 @@ function colour() {
   const scale = 1 / (stage.radius || 1);
   switch (state.shade) {
     case "residual": fillResidual(); break;
-    case "gap": fillGaps(); break;
+    case "gap": case "seam gap": fillGaps(); break;
     case "Gaussian curvature":
       showLegend({ low: "saddle", high: "dome", isRising: false, text: `half colour at ±${(scale * scale).toPrecision(2)}` });
       break;
@@ -224,7 +283,7 @@ function setLayer(name, on) {
 
 for (const name of state.off) if (name in stage.layers) stage.layers[name] = false;
 choices(byId("shade"), SHADES, state.shade, (name) => { state.shade = name; remember(); colour(); });
-choices(byId("grid"), GRIDS, state.grid, (name) => { state.grid = name; remember(); if (scene) draw(); });
+choices(byId("grid"), GRIDS, state.grid, (name) => { state.grid = name; remember(); if (scene?.sampled.length) refresh(); else if (scene) draw(); });
 toggles(byId("layers"), LAYERS, (name) => (name === "wireframe" ? state.lines : !state.off.includes(name)), setLayer);
 byId("time").addEventListener("input", (event) => { play(false); setTime(Number(event.target.value)); });
 byId("play").addEventListener("click", () => play(!isPlaying));
@@ -238,11 +297,15 @@ events.addEventListener("error", () => { byId("status").textContent = "the serve
 window.__trimline = {
   facts, state, requests,
   get frames() { return stage.frames; },
-  get knowsAllTimes() { return stage.patches.every((patch) => !patch.data.is_instant || patch.motion !== null); },
+  get knowsAllTimes() { return stage.patches.every((patch) => patch.knowsAllTimes); },
   // What the graphics card made of a vertex: its position in single precision.
   vertex: (i, j, patch = 0) => stage.vertex(i, j, patch),
+  // The number that a vertex is coloured by.
+  scalar: (i, j, patch = 0) => { const { mesh, v } = stage.patches[patch]; return mesh.geometry.getAttribute("scalar").array[i * v.length + j]; },
+  // The instant that is drawn, which may lie behind the slider's while the server is asked.
+  get drawnTime() { return stage.time; },
   primary: (i, j, index = 0) => stage.primaries[index].vertex(i, j),
-  patches: () => stage.patches.map(({ data: { name, domain } }) => ({ name, domain })),
+  patches: () => stage.patches.map(({ data: { name, domain, form: { kind } } }) => ({ name, domain, kind })),
   pixels: () => stage.pixels(),
   point: (u, v, patch = 0) => stage.patches[patch].points([u], [v])[0][0],
 };

@@ -1,0 +1,84 @@
+//! How far apart things are that should meet, along every edge, for colouring: the surface and its prescribed positions,
+//! patches and their neighbours, the two ends of a patch in v.
+
+use serde::Serialize;
+
+use trimline::expr::{Derivative, Variable};
+use trimline::numeric::{NodeKind, nodes};
+use trimline::verify::boundary_gaps;
+
+use super::live::{Answerable, Live};
+use super::server::Question;
+use crate::failure::Failure;
+use crate::seams;
+use crate::workflow::{Patched, Solved};
+
+/// Places along an edge.
+const PLACES: usize = 97;
+
+/// The gaps of every patch.
+#[derive(Serialize)]
+pub struct Gaps {
+    patches: Vec<Edges>,
+}
+
+#[derive(Serialize)]
+struct Edges {
+    /// Between the surface and the positions it was asked to have.
+    boundary: Vec<Along>,
+    /// Between the patch and another, or its own other end.
+    seams: Vec<Along>,
+}
+
+/// Distances at evenly spaced places along a line of constant u or of constant v, both ends included.
+#[derive(Serialize)]
+struct Along {
+    across: &'static str,
+    at: f64,
+    values: Vec<f64>,
+}
+
+/// The gaps at the page's instant and values.
+pub fn of(live: &Live, question: &Question) -> Result<Gaps, Failure> {
+    live.answer_with(&question.changes, question.time, |answerable| {
+        let mut patches = Vec::with_capacity(answerable.patches.len());
+        for &patch in &answerable.patches {
+            patches.push(Edges { boundary: boundary(answerable, patch)?, seams: closing(answerable, patch)? });
+        }
+        for seam in super::answer::seams(answerable)? {
+            for ((patch, at), values) in seam.along {
+                if let Some(edges) = patches.get_mut(patch) {
+                    edges.seams.push(Along { across: Variable::U.name(), at, values });
+                }
+            }
+        }
+        Ok(Gaps { patches })
+    })
+}
+
+fn boundary(answerable: &Answerable<'_>, (patched, solved): (&Patched, &Solved)) -> Result<Vec<Along>, Failure> {
+    let (spec, prepared) = (answerable.spec, &patched.prepared);
+    let at = (&spec.bindings, &prepared.domain, solved.time);
+    let surface = &*solved.solution.surface;
+    let gaps = boundary_gaps(&spec.problem, prepared.patch(), surface, at, PLACES);
+    let gaps = gaps.map_err(|finding| spec.fault(finding))?.into_iter();
+    Ok(gaps.map(|gap| Along { across: gap.across.name(), at: gap.at, values: gap.distances }).collect())
+}
+
+/// The ends of v, if the patch is meant to close on itself: if they are nearer to each other than the surface is large.
+fn closing(answerable: &Answerable<'_>, (patched, solved): (&Patched, &Solved)) -> Result<Vec<Along>, Failure> {
+    let domain = &patched.prepared.domain;
+    let u = nodes(NodeKind::Ends, PLACES, domain.u);
+    let mut points = vec![[0.0; 3]; 2 * u.len()];
+    let grid = (u.as_slice(), domain.v.as_slice(), solved.time);
+    let evaluated = solved.solution.surface.evaluate_grid(Derivative::NONE, grid, &mut points);
+    evaluated.map_err(|finding| answerable.spec.fault(finding))?;
+    let ends = |pair: &[[f64; 3]]| match pair {
+        [[a, b, c], [x, y, z]] => (a - x).hypot(b - y).hypot(c - z),
+        _ => f64::NAN,
+    };
+    let values: Vec<f64> = points.chunks(2).map(ends).collect();
+    let is_near = values.iter().all(|gap| *gap <= seams::NEAR * solved.measured.size);
+    let along = |at| Along { across: Variable::V.name(), at, values: values.clone() };
+    Ok(if is_near { domain.v.map(along).into() } else { Vec::new() })
+}
