@@ -53,7 +53,7 @@ impl Formula {
         domain: DomainValues,
     ) -> Result<Formula, Diagnostic> {
         // A surface that is zero has no functions, and languages have no tables without entries.
-        if surface.basis.len() == 0 {
+        if surface.basis.is_empty() {
             return Ok(Formula::zero(name, surface.instant, domain));
         }
         let program = surface.basis.program(&[Derivative::NONE, Derivative::new(0, 1, 0)])?;

@@ -93,7 +93,8 @@ impl Solution {
         self.surface.as_separable().ok_or_else(|| {
             let message = "this surface is no sum of products of functions of u and of v, t";
             Diagnostic::new(Code::NotSeparable, message)
-                .hint("patches with constraints at fixed v or with deformations can be evaluated, meshed and rendered")
+                .hint("patches with constraints at fixed v or with deformations are none")
+                .hint("write a B-spline (`fit -o FILE.json`), or values and derivatives on a grid (`mesh -o FILE.npz`)")
         })
     }
 }

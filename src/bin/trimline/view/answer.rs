@@ -261,7 +261,7 @@ fn patch(spec: &Spec, patched: &Patched, solved: &Solved, joins: Vec<JoinReport>
 /// A sum of products, if the surface is one that the page can evaluate as well as the library.
 fn form(solved: &Solved, domain: DomainValues) -> Form {
     // Without functions there is nothing to add up: the surface is zero.
-    let separable = solved.solution.surface.as_separable().filter(|surface| surface.basis.len() > 0);
+    let separable = solved.solution.surface.as_separable().filter(|surface| !surface.basis.is_empty());
     let Some(surface) = separable else { return Form::Sampled };
     let slopes = [Derivative::NONE, Derivative::new(0, 1, 0), Derivative::new(0, 2, 0)];
     // A basis with a kink has no second derivative, so no curvature; without the first there is no normal either.
