@@ -10,7 +10,8 @@ use crate::decompose::{Decomposition, decompose};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source};
 use crate::expr::canonical_name;
 use crate::method::{self, Choice, Numbers, Options, Report, Settings, Solution, Solver};
-use crate::problem::{Bindings, DomainValues, Patch, Problem};
+use crate::net::{METHOD, NetSolver, SolvedNet};
+use crate::problem::{Bindings, DomainValues, Net, Patch, Problem};
 use crate::resolve::{resolve, set_parameter};
 use crate::surface::{Bump, DeformedSurface};
 use crate::syntax;
@@ -24,6 +25,8 @@ pub struct Blend {
     pub bindings: Bindings,
     /// Its patches, in source order.
     pub patches: Vec<Prepared>,
+    /// Its B-spline nets, in source order.
+    pub nets: Vec<NetSolver>,
     options: Options,
 }
 
@@ -101,7 +104,11 @@ impl Blend {
             let decomposition = decompose(&problem, patch, &options.limits)?;
             patches.push(Prepared::new(&problem, &bindings, decomposition, options)?);
         }
-        Ok(Blend { problem, bindings, patches, options: options.clone() })
+        let mut nets = Vec::with_capacity(problem.nets.len());
+        for net in &problem.nets {
+            nets.push(prepare_net(&problem, net, &bindings, options)?);
+        }
+        Ok(Blend { problem, bindings, patches, nets, options: options.clone() })
     }
 
     /// Gives a parameter or coefficient a new value, an expression in earlier parameters such as `2*a` or `-3`.
@@ -117,8 +124,13 @@ impl Blend {
         for prepared in &self.patches {
             updates.push(prepared.update(&problem, &bindings).map_err(|finding| vec![finding])?);
         }
+        let domains = self.nets.iter().map(|net| net.domain_for(&bindings)).collect::<Result<Vec<_>, _>>();
+        let domains = domains.map_err(|finding| vec![finding])?;
         for (prepared, update) in self.patches.iter_mut().zip(updates) {
             prepared.apply(update);
+        }
+        for (net, domain) in self.nets.iter_mut().zip(domains) {
+            net.domain = domain;
         }
         (self.problem, self.bindings) = (problem, bindings);
         Ok(())
@@ -130,6 +142,18 @@ impl Blend {
     /// [`Code::SettingOutOfRange`] if there is no such patch; otherwise as [`Prepared::solve_judged`].
     pub fn solve(&self, index: usize, t: f64) -> Result<Solution, Diagnostic> {
         self.patch(index)?.solve_judged(&self.problem, &self.bindings, t).map(|(solution, _)| solution)
+    }
+
+    /// Fills net number `index` at instant `t`.
+    ///
+    /// # Errors
+    /// [`Code::SettingOutOfRange`] if there is no such net; otherwise as [`NetSolver::solve`].
+    pub fn fill(&self, index: usize, t: f64) -> Result<SolvedNet, Diagnostic> {
+        let net = self.nets.get(index).ok_or_else(|| {
+            let message = format!("there is no net number {index}; the document has {}", self.nets.len());
+            Diagnostic::new(Code::SettingOutOfRange, message)
+        })?;
+        net.solve(&self.bindings, t)
     }
 
     /// Measures a solution of patch number `index` at instant `t` against the problem.
@@ -147,6 +171,28 @@ impl Blend {
             Diagnostic::new(Code::SettingOutOfRange, message)
         })
     }
+}
+
+/// Compiles a net; its one method is [`net::METHOD`](crate::net::METHOD).
+///
+/// # Errors
+/// As [`NetSolver::new`]; [`Code::UnsupportedByMethod`] if `options` ask for another method.
+pub fn prepare_net(
+    problem: &Problem,
+    net: &Net,
+    bindings: &Bindings,
+    options: &Options,
+) -> Result<NetSolver, Diagnostic> {
+    if let Some(name) = options.method.as_deref().filter(|name| ![METHOD, method::AUTO].contains(name)) {
+        let message = format!("the net `{}` is filled by `{METHOD}`, not by `{name}`", net.name);
+        let hint = "leave out the method, or choose patches for it";
+        return Err(Diagnostic::new(Code::UnsupportedByMethod, message).hint(hint));
+    }
+    if let Some((name, origin)) = options.settings.given().first() {
+        let message = format!("the method `{METHOD}` has no setting `{name}`");
+        return Err(Diagnostic::new(Code::UnknownSetting, message).at(*origin).hint("it has none"));
+    }
+    NetSolver::new(problem, net, bindings, options.backend, &options.limits)
 }
 
 impl Prepared {

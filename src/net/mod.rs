@@ -4,16 +4,18 @@
 //! net, in closed form (docs/bspline.md, N4): a discrete Boolean sum of quadratic interpolation in both directions.
 //! It exists and is unique for every knot vector without repeated inner knots.
 //!
-//! [`quarter`] and [`ring`] join several such patches smoothly inside four boundary curves, and around a closed strip.
+//! [`NetSolver`] evaluates the layers of a document's net and fills it. [`quarter`] and [`ring`] join several such patches smoothly inside four boundary curves, and around a closed strip.
 //!
 //! Absent on purpose: a linear system. Its residual is rounding for any answer and says nothing about the error.
 
 mod cardinal;
 mod quarter;
 mod ring;
+mod solver;
 
 pub use quarter::{Handle, Outline, quarter};
 pub use ring::{Ring, Strip, ring};
+pub use solver::{METHOD, NetSolver, SolvedNet};
 
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
 use crate::surface::bspline::{check_size, point_not_finite};

@@ -7,6 +7,7 @@
 mod deformation;
 mod domain;
 mod explanation;
+mod net;
 mod operator;
 mod parameters;
 mod surface;
@@ -14,6 +15,7 @@ mod surface;
 pub use deformation::{Deformation, check_region};
 pub use domain::{Domain, DomainValues};
 pub use explanation::Explanation;
+pub use net::{KnotKind, Layer, Net, NetKnots, NetPoints, Sampling};
 pub use operator::{PdeOperator, PdeTerm, STANDARD_COEFFICIENTS};
 pub use parameters::{Bindings, Parameter, ParameterKind};
 pub use surface::{Join, PrimarySurface, Seam};
@@ -35,6 +37,8 @@ pub struct Problem {
     pub surfaces: Vec<PrimarySurface>,
     /// The patches, in source order.
     pub patches: Vec<Patch>,
+    /// The B-spline nets, in source order.
+    pub nets: Vec<Net>,
     /// Where patches are meant to meet, in source order.
     pub seams: Vec<Seam>,
 }
@@ -106,6 +110,15 @@ pub struct RequestedSetting {
     pub value: String,
     /// Where the value is written.
     pub origin: Option<Span>,
+}
+
+impl Problem {
+    /// The name of part number `index`: patches, and behind them nets.
+    #[must_use]
+    pub fn part_name(&self, index: usize) -> Option<&str> {
+        let patches = self.patches.iter().map(|patch| patch.name.as_str());
+        patches.chain(self.nets.iter().map(|net| net.name.as_str())).nth(index)
+    }
 }
 
 impl Patch {

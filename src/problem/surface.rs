@@ -38,7 +38,7 @@ pub struct Join {
 /// Two edges of patches that are meant to meet.
 #[derive(Debug, Clone)]
 pub struct Seam {
-    /// Each edge: the patch, as its place among the problem's, and the value of its u.
+    /// Each edge: the part, as its place among the problem's patches and, behind them, nets, and the value of its u.
     pub edges: [(usize, ExprId); 2],
     /// Where it is stated.
     pub origin: Option<Span>,

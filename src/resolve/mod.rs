@@ -10,6 +10,7 @@ mod equation;
 mod form;
 mod join;
 mod lower;
+mod net;
 mod operator;
 mod patch;
 mod prelude;
@@ -44,7 +45,8 @@ pub fn resolve(document: &Document, name: &str, limits: &Limits) -> Result<Probl
     let parameters = declarations::parameters(&document.parameters, &mut scope, &mut reading);
     declarations::definitions(&document.shared.definitions, &mut scope, &mut reading);
     let mut problem = Problem { parameters, ..Problem::default() };
-    let sections = patch::sections(document, name, &scope, &mut problem.parameters, &mut reading);
+    let (sections, domain) = patch::sections(document, name, &scope, &mut problem.parameters, &mut reading);
+    problem.nets = net::resolve(document, &domain, &scope, &mut reading);
     // Positions are numbers only if every param has its value.
     let bindings = if reading.found.is_empty() {
         problem.graph = std::mem::take(&mut reading.graph);
@@ -58,7 +60,7 @@ pub fn resolve(document: &Document, name: &str, limits: &Limits) -> Result<Probl
         problem.patches.extend(patch::resolve(section, bindings.as_ref(), &mut reading));
     }
     if let (Some(bindings), true) = (&bindings, reading.found.is_empty()) {
-        problem.seams = patch::seams(document, &problem.patches, &scope, bindings, &mut reading);
+        problem.seams = patch::seams(document, (&problem.patches, &problem.nets), &scope, bindings, &mut reading);
     }
     (problem.graph, problem.surfaces) = (reading.graph, reading.surfaces);
     if reading.found.is_empty() { Ok(problem) } else { Err(reading.found) }

@@ -9,8 +9,8 @@ use super::reading::{Fault, Reading};
 use super::scope::Scope;
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::{ExprId, Variable};
-use crate::problem::{Bindings, Domain, Parameter, Patch, PdeOperator, RequestedSetting, Seam, SolveRequest};
-use crate::syntax::ast::{Document, PatchBlock, PdeStatement, Range, SeamEdge, SolveStatement, Statements};
+use crate::problem::{Bindings, Domain, Net, Parameter, Patch, PdeOperator, RequestedSetting, Seam, SolveRequest};
+use crate::syntax::ast::{Document, Name, PatchBlock, PdeStatement, Range, SeamEdge, SolveStatement, Statements};
 
 /// A patch whose boundary is still to be read.
 pub struct Section<'a> {
@@ -25,26 +25,28 @@ pub struct Section<'a> {
     solve: SolveRequest,
 }
 
-/// Everything about each patch but its boundary; coefficients of its equation are added to `parameters`.
+/// Everything about each patch but its boundary, and what is stated as the domain of all; coefficients of equations are
+/// added to `parameters`.
 pub fn sections<'a>(
     document: &'a Document,
     name: &str,
     scope: &'a Scope<'a>,
     parameters: &mut Vec<Parameter>,
     reading: &mut Reading<'_>,
-) -> Vec<Section<'a>> {
+) -> (Vec<Section<'a>>, Domain) {
     let shared = &document.shared;
     check_blocks(document, reading);
     let standard = Domain::standard(&mut reading.graph);
     let domain = domain(&shared.ranges, standard, scope, reading);
     let solve = solve_request(&shared.solves, reading);
     let stated = only_equation(&shared.equations, reading);
-    let needs_shared = document.patches.is_empty() || document.patches.iter().any(states_no_equation);
+    let is_implicit = document.patches.is_empty() && document.nets.is_empty();
+    let needs_shared = is_implicit || document.patches.iter().any(states_no_equation);
     let operator = if needs_shared { equation::resolve(stated, None, scope, parameters, reading) } else { None };
-    if document.patches.is_empty() {
-        let name = name.to_owned();
+    if is_implicit {
+        let (name, of_all) = (name.to_owned(), domain.clone());
         let scope = scope.inner();
-        return vec![Section { name, place: None, statements: shared, scope, domain, operator, solve }];
+        return (vec![Section { name, place: None, statements: shared, scope, domain, operator, solve }], of_all);
     }
     let mut sections = Vec::with_capacity(document.patches.len());
     for block in &document.patches {
@@ -76,7 +78,7 @@ pub fn sections<'a>(
             scope,
         });
     }
-    sections
+    (sections, domain)
 }
 
 /// The patch, or `None` if anything about it is at fault. Without `bindings` positions are not known.
@@ -110,10 +112,10 @@ pub fn resolve(section: Section<'_>, bindings: Option<&Bindings>, reading: &mut 
     Some(Patch { name, domain, operator: operator?, conditions, joins, side_conditions, deformations, solve })
 }
 
-/// The seams that are stated between `patches`.
+/// The seams that are stated between `patches` and `nets`.
 pub fn seams(
     document: &Document,
-    patches: &[Patch],
+    (patches, nets): (&[Patch], &[Net]),
     scope: &Scope<'_>,
     bindings: &Bindings,
     reading: &mut Reading<'_>,
@@ -121,7 +123,7 @@ pub fn seams(
     let mut seams = Vec::with_capacity(document.seams.len());
     for seam in &document.seams {
         let edges = seam.edges.each_ref().map(|edge| {
-            let edge = seam_edge(edge, patches, bindings, &mut reading.lowering(scope));
+            let edge = seam_edge(edge, (patches, nets), bindings, &mut reading.lowering(scope));
             reading.keep(edge)
         });
         if let [Some(first), Some(second)] = edges {
@@ -133,13 +135,14 @@ pub fn seams(
 
 fn seam_edge(
     edge: &SeamEdge,
-    patches: &[Patch],
+    (patches, nets): (&[Patch], &[Net]),
     bindings: &Bindings,
     lowering: &mut Lowering<'_>,
 ) -> Result<(usize, ExprId), Fault> {
     let name = &edge.patch;
-    let Some((index, patch)) = patches.iter().enumerate().find(|(_, patch)| patch.name == name.text) else {
-        let known: Vec<&str> = patches.iter().map(|patch| patch.name.as_str()).collect();
+    let names = patches.iter().map(|patch| patch.name.as_str()).chain(nets.iter().map(|net| net.name.as_str()));
+    let known: Vec<&str> = names.collect();
+    let Some(index) = known.iter().position(|known| *known == name.text) else {
         let finding = Diagnostic::new(Code::UnknownName, format!("there is no patch `{}`", name.text)).at(name.span);
         return Err(finding.hint(format!("patches: {}", known.join(", "))).into());
     };
@@ -149,7 +152,12 @@ fn seam_edge(
     }
     let u = lowering.constant(edge.position, "the position of a seam")?;
     let place = lowering.tree.span(edge.position);
-    let [low, high] = patch.domain.evaluate_in(lowering.graph, bindings)?.u;
+    let domain = match (patches.get(index), nets.get(index.saturating_sub(patches.len()))) {
+        (Some(patch), _) => patch.domain.evaluate_in(lowering.graph, bindings)?,
+        (None, Some(net)) => net.domain_in(lowering.graph, bindings)?,
+        (None, None) => return Err(Fault::Follows),
+    };
+    let [low, high] = domain.u;
     let position = bindings.constant_in(lowering.graph, u, Some(place), "the position of a seam")?;
     if (low..=high).contains(&position) {
         return Ok((index, u));
@@ -161,19 +169,20 @@ fn seam_edge(
 /// Refuses too many patches, two of one name, and constraints that belong to none of them.
 fn check_blocks(document: &Document, reading: &mut Reading<'_>) {
     let limit = reading.limits.patches;
-    if let Some(block) = document.patches.get(limit) {
+    let patches = document.patches.iter().map(|block| &block.name);
+    let names: Vec<&Name> = patches.chain(document.nets.iter().map(|block| &block.name)).collect();
+    if let Some(name) = names.get(limit) {
         let message = format!("more patches than the limit `patches` of {limit}");
-        reading.report(Diagnostic::new(Code::LimitReached, message).at(block.name.span));
+        reading.report(Diagnostic::new(Code::LimitReached, message).at(name.span));
     }
-    for (index, block) in document.patches.iter().enumerate().take(limit) {
-        let before = document.patches.iter().take(index).find(|other| other.name.text == block.name.text);
-        if let Some(first) = before {
-            let message = format!("two patches are called `{}`", block.name.text);
-            let finding = Diagnostic::new(Code::DuplicateName, message).at(block.name.span);
-            reading.report(finding.label(first.name.span, "first declared here"));
+    for (index, name) in names.iter().enumerate().take(limit) {
+        if let Some(first) = names.iter().take(index).find(|other| other.text == name.text) {
+            let message = format!("two patches are called `{}`", name.text);
+            let finding = Diagnostic::new(Code::DuplicateName, message).at(name.span);
+            reading.report(finding.label(first.span, "first declared here"));
         }
     }
-    if document.patches.is_empty() {
+    if document.patches.is_empty() && document.nets.is_empty() {
         return;
     }
     let outside = |what: &str, place: Span| {
@@ -187,6 +196,15 @@ fn check_blocks(document: &Document, reading: &mut Reading<'_>) {
     }
     if let Some(deformation) = document.shared.deformations.first() {
         reading.report(outside("deformation", deformation.span));
+    }
+    if document.patches.is_empty() {
+        let equation = document.shared.equations.first().map(|equation| ("equation", equation.span));
+        let method = document.shared.solves.first().map(|solve| ("method", solve.method.span));
+        for (what, place) in equation.into_iter().chain(method) {
+            let message = format!("the {what} belongs to patches, and the document has `bspline` blocks only");
+            let finding = Diagnostic::new(Code::UnexpectedText, message).at(place);
+            reading.report(finding.hint("nets satisfy ∂⁶S/∂u³∂v³ = 0, by the method `mask`: leave it out"));
+        }
     }
 }
 
@@ -216,7 +234,7 @@ fn over_shared(own: &PdeStatement, shared: Option<&PdeStatement>) -> PdeStatemen
 }
 
 /// `domain` with the ranges that are stated.
-fn domain(ranges: &[Range], mut domain: Domain, scope: &Scope<'_>, reading: &mut Reading<'_>) -> Domain {
+pub fn domain(ranges: &[Range], mut domain: Domain, scope: &Scope<'_>, reading: &mut Reading<'_>) -> Domain {
     let mut stated: [Option<Span>; 3] = [None; 3];
     for range in ranges {
         let Some(index) = Variable::ALL.iter().position(|variable| variable.name() == range.variable.text) else {

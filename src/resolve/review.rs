@@ -4,7 +4,7 @@ use rustc_hash::FxHashSet;
 
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, MOST_FINDINGS};
 use crate::problem::{COMPONENTS, Problem};
-use crate::syntax::ast::{DefinitionKind, Document, Name, Statements};
+use crate::syntax::ast::{DefinitionKind, Document, Name, NetSource, Statements};
 
 /// Warnings about a document and the problem it resolved to, in source order: declarations that nothing uses,
 /// trimlines that are a point and tangents without length.
@@ -36,7 +36,11 @@ fn unused(document: &Document) -> Diagnostics {
     let sections = || std::iter::once(&document.shared).chain(document.patches.iter().map(|block| &block.statements));
     let boundaries = sections().flat_map(|statements: &Statements| &statements.boundaries);
     let joined = boundaries.flat_map(|boundary| &boundary.constraints.joins).map(|join| join.surface.text.as_str());
-    let mut used: FxHashSet<&str> = document.tree.names().chain(joined).collect();
+    let sampled = document.nets.iter().flat_map(|block| &block.nets).filter_map(|net| match &net.source {
+        Some(NetSource::Surface { surface, .. }) => Some(surface.text.as_str()),
+        _ => None,
+    });
+    let mut used: FxHashSet<&str> = document.tree.names().chain(joined).chain(sampled).collect();
     let stems: Vec<&str> = used
         .iter()
         .filter_map(|name| name.rsplit_once('_').filter(|(_, last)| COMPONENTS.contains(last)).map(|(stem, _)| stem))
@@ -48,7 +52,9 @@ fn unused(document: &Document) -> Diagnostics {
         (!is_used).then(|| Diagnostic::new(Code::UnusedDeclaration, message).at(name.span).hint("remove it, or use it"))
     };
     let params = document.parameters.iter().filter_map(|param| unused("param", &param.name));
-    let definitions = sections().flat_map(|statements| &statements.definitions).filter_map(|definition| {
+    let of_nets = document.nets.iter().flat_map(|block| &block.definitions);
+    let definitions = sections().flat_map(|statements| &statements.definitions).chain(of_nets);
+    let definitions = definitions.filter_map(|definition| {
         let what = if definition.kind == DefinitionKind::Let { "definition" } else { "surface" };
         unused(what, &definition.name)
     });

@@ -14,7 +14,7 @@ mod symbolic;
 mod validity;
 
 pub use basis::Basis;
-pub use bspline::{BsplineCurve, BsplineSurface, KnotVector};
+pub use bspline::{BsplineCurve, BsplineSurface, KnotVector, MovingBspline};
 pub use coons::CoonsSurface;
 pub use deformed::{Bump, DeformedSurface, Region};
 pub use functions::Functions;

@@ -10,6 +10,7 @@ mod brackets;
 mod expression;
 mod format;
 mod latex;
+mod net;
 mod parser;
 mod partial;
 mod places;
@@ -20,10 +21,11 @@ pub use ast::Document;
 pub use format::{Alphabet, format};
 pub use preflight::decode;
 
-use ast::{Expression, Name, PatchBlock, Statements, Tree};
+use ast::{Expression, Name, NetBlock, PatchBlock, Statements, Tree};
 use brackets::Brackets;
 use expression::Builder;
 use preflight::Prepared;
+use statement::Block;
 
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, MOST_FINDINGS, Source, Span};
 use crate::limits::Limits;
@@ -31,7 +33,7 @@ use crate::limits::Limits;
 /// Words that are no names.
 const RESERVED_WORDS: &[&str] = &[
     "param", "let", "domain", "pde", "with", "at", "solve", "in", "surface", "seam", "patch", "join", "deform",
-    "keeping", "curve",
+    "keeping", "curve", "bspline", "knots", "net", "layer",
 ];
 
 /// Parses a spec.
@@ -49,12 +51,12 @@ pub fn parse(source: &Source, limits: &Limits) -> Result<Document, Diagnostics> 
     }
     let mut document = Document::default();
     let mut found = Diagnostics::new();
-    let mut in_patch = false;
+    let mut open = None;
     for &line in &prepared.lines {
-        if let Err(finding) = add_line(&mut document, &prepared, line, &mut in_patch, !found.is_empty()) {
+        if let Err(finding) = add_line(&mut document, &prepared, line, &mut open, !found.is_empty()) {
             found.push(finding);
             // A block whose first line is faulty is still a block.
-            in_patch |= open_block(&mut document, &prepared, line);
+            open = open_block(&mut document, &prepared, line).or(open);
             if found.len() >= MOST_FINDINGS {
                 break;
             }
@@ -67,24 +69,28 @@ fn add_line(
     document: &mut Document,
     prepared: &Prepared,
     line: Span,
-    in_patch: &mut bool,
+    open: &mut Option<Block>,
     is_faulty: bool,
 ) -> Result<(), Diagnostic> {
     let mut brackets = Brackets::read(prepared, line, &mut document.tree)?;
     let text = brackets::outermost(prepared, line);
     let pair = parser::line(&text, line.start).map_err(|finding| prepared.places.moved(finding))?;
     let mut builder = Builder::new(prepared, line.start, &mut document.tree, &mut brackets);
-    builder.statement(pair)?.add_to(document, in_patch, is_faulty)
+    builder.statement(pair)?.add_to(document, open, is_faulty)
 }
 
 /// Opens a block without a name if `line` is the first of one.
-fn open_block(document: &mut Document, prepared: &Prepared, line: Span) -> bool {
-    let opens = prepared.blocks.contains(&line.end.saturating_sub(1));
-    if opens {
-        let name = Name { text: String::new(), span: line };
-        document.patches.push(PatchBlock { name, statements: Statements::default() });
+fn open_block(document: &mut Document, prepared: &Prepared, line: Span) -> Option<Block> {
+    if !prepared.blocks.contains(&line.end.saturating_sub(1)) {
+        return None;
     }
-    opens
+    let name = Name { text: String::new(), span: line };
+    if prepared.text.get(line.start..line.end).is_some_and(|text| text.starts_with("bspline")) {
+        document.nets.push(NetBlock::new(name));
+        return Some(Block::Net);
+    }
+    document.patches.push(PatchBlock { name, statements: Statements::default() });
+    Some(Block::Patch)
 }
 
 /// Parses a single expression, for example the value of a command-line option.

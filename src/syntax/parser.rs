@@ -119,6 +119,14 @@ fn words(rule: Rule) -> Option<&'static str> {
         | Rule::kw_domain
         | Rule::kw_pde
         | Rule::patch_line
+        | Rule::bspline_line
+        | Rule::kw_bspline
+        | Rule::knots_line
+        | Rule::kw_knots
+        | Rule::net_line
+        | Rule::kw_net
+        | Rule::layer_line
+        | Rule::kw_layer
         | Rule::kw_patch
         | Rule::deform_line
         | Rule::kw_deform
@@ -127,9 +135,14 @@ fn words(rule: Rule) -> Option<&'static str> {
         | Rule::surface_line
         | Rule::kw_surface
         | Rule::kw_solve => {
-            "a statement (`param`, `let`, `surface`, `domain`, `pde`, `at`, `solve`, `deform`, `patch`, `seam`)"
+            "a statement (`param`, `let`, `surface`, `domain`, `pde`, `at`, `solve`, `deform`, `patch`, `seam`, `bspline`)"
         }
         Rule::surface => "a name",
+        Rule::knots | Rule::knot_list => "`uniform in u`, `clamped in u` or `[…] in u`",
+        Rule::net_size => "a size such as `5 x 5`",
+        Rule::sampled => "`surface NAME sampled greville`",
+        Rule::kw_from => "`from`",
+        Rule::kw_sampled => "`sampled`",
         Rule::strength | Rule::kw_strength | Rule::flip => "`strength = …` or `flip`",
         Rule::kw_at => "`at`",
         Rule::kw_in => "`in`",
@@ -197,8 +210,10 @@ fn advice(text: &str, at: usize) -> Option<String> {
     if text.strip_prefix("curve").is_some_and(|tail| tail.starts_with([' ', '\t'])) {
         return Some("`curve` is reserved for a later version of the language".to_owned());
     }
-    if text.starts_with("patch ") && !text.ends_with('{') {
-        return Some("the statements of a patch stand in braces: `patch a {` … `}`".to_owned());
+    if let Some(word) = ["patch", "bspline"].into_iter().find(|word| text.starts_with(&format!("{word} ")))
+        && !text.ends_with('{')
+    {
+        return Some(format!("the statements of a {word} stand in braces: `{word} a {{` … `}}`"));
     }
     if before.is_empty() && text.contains('∂') && text.contains('=') {
         return Some("an equation begins with `pde`, a constraint with `S`, `x` or a derivative of them".to_owned());

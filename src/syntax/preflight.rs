@@ -14,8 +14,13 @@ use crate::expr::greek_letter;
 use crate::limits::Limits;
 
 /// Words that begin a statement and therefore end the one before.
-const STATEMENT_WORDS: &[&str] =
-    &["param", "let", "domain", "pde", "at", "solve", "deform", "surface", "seam", "patch", "curve"];
+const STATEMENT_WORDS: &[&str] = &[
+    "param", "let", "domain", "pde", "at", "solve", "deform", "surface", "seam", "patch", "curve", "bspline", "knots",
+    "net", "layer",
+];
+
+/// Words of statements that open a block.
+const BLOCK_WORDS: &[&str] = &["patch", "bspline"];
 
 /// A text that is ready for the grammar.
 pub struct Prepared {
@@ -211,7 +216,7 @@ fn blanked(text: &str, limits: &Limits) -> Result<Prepared, Diagnostics> {
 fn opens_block(text: &str, statement: Option<usize>, at: usize) -> bool {
     let before = statement.and_then(|start| text.get(start..at)).unwrap_or("");
     // The brace of a subscript stands behind its underscore.
-    begins_with_word(before, "patch") && !before.ends_with('_')
+    BLOCK_WORDS.iter().any(|word| begins_with_word(before, word)) && !before.ends_with('_')
 }
 
 /// Whether the line after a line break begins with a brace: `patch NAME` on one line, `{` on the next.
@@ -220,7 +225,7 @@ fn is_block_ahead(rest: &str) -> bool {
 }
 
 fn nested_block(start: usize, at: usize) -> Diagnostic {
-    Diagnostic::new(Code::UnexpectedText, "a patch stands inside another patch")
+    Diagnostic::new(Code::UnexpectedText, "a block stands inside another block")
         .at(Span::new(start, at + 1))
         .hint("close the one before with `}`")
 }

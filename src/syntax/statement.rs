@@ -1,8 +1,9 @@
 //! Parsed lines to statements of the [`Document`].
 
 use super::ast::{
-    Boundary, Constraint, Constraints, Definition, DefinitionKind, Deformation, Document, Expression, Join, Kind, Name,
-    Parameter, PatchBlock, PdeStatement, Range, Seam, SeamEdge, Setting, SolveStatement, Statements, Unknown,
+    Boundary, Constraint, Constraints, Definition, DefinitionKind, Deformation, Document, Expression, Join, Kind,
+    Knots, Layer, Name, NetBlock, NetStatement, Parameter, PatchBlock, PdeStatement, Range, Seam, SeamEdge, Setting,
+    SolveStatement, Statements, Unknown,
 };
 use super::expression::Builder;
 use super::parser::{Parsed, Rule};
@@ -31,28 +32,51 @@ pub enum Statement {
     Seam(Seam),
     /// `patch NAME {`
     PatchBegins(Name),
+    /// `bspline NAME {`
+    NetBegins(Name),
+    /// `knots …`
+    Knots(Vec<Knots>),
+    /// `net …`
+    Net(NetStatement),
+    /// `layer …`
+    Layer(Layer),
     /// `}`
-    PatchEnds,
+    BlockEnds,
+}
+
+/// The kind of block that is open.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Block {
+    /// `patch NAME {`
+    Patch,
+    /// `bspline NAME {`
+    Net,
 }
 
 impl Statement {
-    /// Adds the statement to `document`: to its last patch while `in_patch`, which blocks open and close. After a
-    /// fault, `is_faulty`, constraints outside a block go nowhere: the block may begin in what could not be read.
-    pub fn add_to(self, document: &mut Document, in_patch: &mut bool, is_faulty: bool) -> Result<(), Diagnostic> {
+    /// Adds the statement to `document`: to its last patch or net while a block is `open`. After a fault, `is_faulty`,
+    /// what stands outside the boundary or block it needs goes nowhere: that may begin in what could not be read.
+    pub fn add_to(self, document: &mut Document, open: &mut Option<Block>, is_faulty: bool) -> Result<(), Diagnostic> {
+        match (document.nets.last_mut(), *open) {
+            (Some(block), Some(Block::Net)) if self.is_of_nets() => return self.add_to_net(block),
+            (_, Some(Block::Net)) if !matches!(self, Statement::BlockEnds) => return Err(self.outside_nets()),
+            _ => {}
+        }
         let section = match document.patches.last_mut() {
-            Some(block) if *in_patch => &mut block.statements,
+            Some(block) if *open == Some(Block::Patch) => &mut block.statements,
             _ => &mut document.shared,
         };
+        let is_open = open.is_some();
         match self {
             Statement::Parameters(parameters) => {
-                if let (true, Some(first)) = (*in_patch, parameters.first()) {
+                if let (true, Some(first)) = (is_open, parameters.first()) {
                     return Err(shared_only("param", &first.name));
                 }
                 document.parameters.extend(parameters);
             }
             Statement::Definitions(definitions) => {
                 let surface = definitions.iter().find(|definition| definition.kind != DefinitionKind::Let);
-                if let (true, Some(surface)) = (*in_patch, surface) {
+                if let (true, Some(surface)) = (is_open, surface) {
                     return Err(shared_only("surface", &surface.name));
                 }
                 section.definitions.extend(definitions);
@@ -77,16 +101,22 @@ impl Statement {
                 }
             },
             Statement::Seam(seam) => {
-                if *in_patch {
+                if is_open {
                     return Err(shared_only("seam", &seam.edges[0].patch));
                 }
                 document.seams.push(seam);
             }
             Statement::PatchBegins(name) => {
                 document.patches.push(PatchBlock { name, statements: Statements::default() });
-                *in_patch = true;
+                *open = Some(Block::Patch);
             }
-            Statement::PatchEnds => *in_patch = false,
+            Statement::NetBegins(name) => {
+                document.nets.push(NetBlock::new(name));
+                *open = Some(Block::Net);
+            }
+            Statement::BlockEnds => *open = None,
+            Statement::Knots(_) | Statement::Net(_) | Statement::Layer(_) if is_faulty => {}
+            Statement::Knots(_) | Statement::Net(_) | Statement::Layer(_) => return Err(self.only_in_nets()),
         }
         Ok(())
     }
@@ -166,7 +196,11 @@ impl Builder<'_> {
                 Statement::Seam(Seam { edges, span: whole })
             }
             Rule::patch_line => Statement::PatchBegins(self.take_name(&mut parts.into_iter())?),
-            Rule::patch_end => Statement::PatchEnds,
+            Rule::bspline_line => Statement::NetBegins(self.take_name(&mut parts.into_iter())?),
+            Rule::knots_line => Statement::Knots(self.all_knots(parts)?),
+            Rule::net_line => Statement::Net(self.net(parts, whole)?),
+            Rule::layer_line => Statement::Layer(self.layer(parts)?),
+            Rule::patch_end => Statement::BlockEnds,
             _ => return Err(internal()),
         })
     }
@@ -307,12 +341,15 @@ impl Builder<'_> {
         Name { text: part.as_str().trim_end().to_owned(), span: self.span(part) }
     }
 
-    fn take_name<'a>(&self, parts: &mut impl Iterator<Item = Parsed<'a>>) -> Result<Name, Diagnostic> {
+    pub fn take_name<'a>(&self, parts: &mut impl Iterator<Item = Parsed<'a>>) -> Result<Name, Diagnostic> {
         let part = parts.find(|part| part.as_rule() == Rule::name).ok_or_else(internal)?;
         Ok(self.name(&part))
     }
 
-    fn take_expression<'a>(&mut self, parts: &mut impl Iterator<Item = Parsed<'a>>) -> Result<Expression, Diagnostic> {
+    pub fn take_expression<'a>(
+        &mut self,
+        parts: &mut impl Iterator<Item = Parsed<'a>>,
+    ) -> Result<Expression, Diagnostic> {
         self.expression(take(parts, Rule::expression)?)
     }
 }
@@ -327,7 +364,7 @@ pub fn coordinate(text: &str) -> Option<usize> {
     }
 }
 
-fn take<'a>(parts: &mut impl Iterator<Item = Parsed<'a>>, rule: Rule) -> Result<Parsed<'a>, Diagnostic> {
+pub fn take<'a>(parts: &mut impl Iterator<Item = Parsed<'a>>, rule: Rule) -> Result<Parsed<'a>, Diagnostic> {
     parts.next().filter(|part| part.as_rule() == rule).ok_or_else(internal)
 }
 

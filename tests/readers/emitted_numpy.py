@@ -67,7 +67,9 @@ def main():
     folder = tempfile.TemporaryDirectory()
     zero = pathlib.Path(folder.name) / "zero.trim"
     zero.write_text(ZERO)
-    specs = [zero, *sorted(EXAMPLES.glob("*.trim"))]
+    # B-spline nets have no basis functions either, and are not emitted.
+    examples = [path for path in sorted(EXAMPLES.glob("*.trim")) if "bspline " not in path.read_text()]
+    specs = [zero, *examples]
     compared = 0
     for spec in specs:
         patches = [patch["name"] for patch in json.loads(trimline("basis", spec, "--format", "json"))["patches"]]

@@ -1,9 +1,12 @@
 //! What bad specs are answered: code, place and the words that help.
 
+mod nets;
 mod table;
 
+use trimline::blend::Blend;
 use trimline::diagnostic::{Class, Code, Diagnostic, Diagnostics, Severity, Source};
 use trimline::limits::Limits;
+use trimline::method::Options;
 use trimline::resolve::{resolve, review};
 use trimline::syntax;
 use trimline::verify::verify;
@@ -26,12 +29,7 @@ const ELSEWHERE: &[(Code, &str)] = &[
     (Code::MethodPassedOver, "the choice of `auto`, which tests of methods make"),
     (Code::SeamOpens, "tests of the method `static_blend`"),
     (Code::SolutionNotUnique, "tests of the method `static_blend`"),
-    (Code::KnotsNotAscending, "tests of B-splines, which no text states yet"),
-    (Code::KnotRepeated, "tests of nets"),
-    (Code::NetSize, "tests of B-splines and nets"),
-    (Code::PointNotFinite, "tests of B-splines and nets"),
     (Code::CurvesDoNotMeet, "tests of nets"),
-    (Code::NetAmplifies, "tests of nets"),
     (Code::SeamCreased, "tests of nets"),
     (Code::ToleranceNotReached, "tests of fits"),
     (Code::BadSplineFile, "tests of B-splines"),
@@ -60,6 +58,9 @@ fn text_of(spec: Spec) -> String {
 
 /// Everything that is found on the way from a text to a verified surface at t = 0.
 fn findings(text: &str) -> Diagnostics {
+    if text.contains("bspline ") {
+        return of_nets(text).unwrap_or_else(|found| found);
+    }
     let prepared = match Prepared::try_new(text, &[]) {
         Ok(prepared) => prepared,
         Err(found) => return found,
@@ -72,6 +73,16 @@ fn findings(text: &str) -> Diagnostics {
     let numbers = (&prepared.bindings, &prepared.domain, 0.0);
     let measured = verify(&prepared.problem, patch, &*solution.surface, numbers);
     solution.report.warnings.iter().cloned().chain(measured.err()).collect()
+}
+
+/// Of a document of nets alone, filled at t = 0.
+fn of_nets(text: &str) -> Result<Diagnostics, Diagnostics> {
+    let blend = Blend::compile(&Source::new("spec", text), &Options::default())?;
+    let mut warnings = Diagnostics::new();
+    for index in 0..blend.nets.len() {
+        warnings.extend(blend.fill(index, 0.0).map_err(|finding| vec![finding])?.filled.warnings);
+    }
+    Ok(warnings)
 }
 
 fn place(source: &Source, finding: &Diagnostic) -> String {
@@ -90,7 +101,7 @@ fn words(finding: &Diagnostic) -> String {
 #[test]
 fn bad_specs_get_one_finding_with_its_code_place_and_advice() {
     let mut wrong = Vec::new();
-    for &(spec, code, expected_place, marked, fragment) in ROWS {
+    for &(spec, code, expected_place, marked, fragment) in ROWS.iter().chain(nets::ROWS) {
         let text = text_of(spec);
         let source = Source::new("spec", &*text);
         let found = findings(&text);
@@ -117,7 +128,7 @@ fn bad_specs_get_one_finding_with_its_code_place_and_advice() {
 fn table_covers_every_code_that_a_text_can_produce() {
     assert!(ROWS.len() >= 60, "{}", ROWS.len());
     for &code in Code::ALL {
-        let in_table = ROWS.iter().any(|row| row.1 == code);
+        let in_table = ROWS.iter().chain(nets::ROWS).any(|row| row.1 == code);
         let elsewhere = ELSEWHERE.iter().any(|(other, _)| *other == code);
         assert!(in_table != elsewhere, "{code} {code:?}: in the table {in_table}, elsewhere {elsewhere}");
     }
@@ -267,7 +278,7 @@ fn trimline_that_is_a_point_and_tangent_without_length_are_warned_of() {
 
 #[test]
 fn examples_give_no_warnings() {
-    for (name, text) in crate::spec::examples() {
+    for (name, text) in crate::spec::all_examples() {
         assert_eq!(reviewed(&text), [""; 0], "{name}");
     }
 }

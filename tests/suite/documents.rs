@@ -18,7 +18,7 @@ fn specs(page: &str) -> Vec<(String, String)> {
         let Some(about) = line.strip_prefix("```trim") else { continue };
         let body: Vec<&str> = lines.by_ref().take_while(|line| *line != "```").collect();
         let text = body.join("\n") + "\n";
-        let is_complete = text.contains("at u = ") || text.contains("u &= ");
+        let is_complete = ["at u = ", "u &= ", "bspline "].iter().any(|words| text.contains(words));
         specs.push((about.trim().to_owned(), if is_complete { text } else { text + BOUNDARY }));
     }
     specs
@@ -30,6 +30,9 @@ fn solve(text: &str) -> Result<(), Diagnostics> {
     let blend = Blend::compile(&Source::new("spec", text), &Options::default())?;
     for patch in 0..patches {
         blend.solve(patch, 0.0).map_err(|finding| vec![finding])?;
+    }
+    for net in 0..blend.nets.len() {
+        blend.fill(net, 0.0).map_err(|finding| vec![finding])?;
     }
     Ok(())
 }

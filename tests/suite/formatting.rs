@@ -6,7 +6,7 @@ use trimline::expr::Notation;
 use trimline::limits::Limits;
 use trimline::syntax::{self, Alphabet};
 
-use crate::spec::{BOUNDARY, decomposition, examples, told, with_data};
+use crate::spec::{BOUNDARY, all_examples, decomposition, examples, told, with_data};
 
 fn laid_out(text: &str, alphabet: Alphabet) -> String {
     syntax::format(&Source::new("spec", text), alphabet, &Limits::default())
@@ -36,7 +36,7 @@ fn every_example_laid_out_has_the_same_basis_and_is_not_changed_again() {
 
 #[test]
 fn alphabets_are_inverse_where_a_spelling_has_both() {
-    for (name, text) in examples() {
+    for (name, text) in all_examples() {
         let ascii = laid_out(&text, Alphabet::Ascii);
         let code =
             |text: &str| text.lines().map(|line| line.split('#').next().unwrap_or("").to_owned()).collect::<String>();
@@ -191,7 +191,7 @@ proptest! {
         changes in prop::collection::vec((any::<prop::sample::Index>(), prop::sample::select(PIECES)), 1..6),
         alphabet in prop::sample::select(ALPHABETS.to_vec()),
     ) {
-        let examples = examples();
+        let examples = all_examples();
         let mut text = examples[which.index(examples.len())].1.clone();
         for (place, piece) in changes {
             let mut at = place.index(text.len());

@@ -40,6 +40,7 @@ mod meshes;
 mod morphs;
 mod multisided;
 mod net;
+mod net_specs;
 mod operators;
 mod patches;
 #[cfg(feature = "render")]

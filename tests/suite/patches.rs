@@ -127,7 +127,7 @@ fn blocks_that_do_not_fit_together_are_refused_where_they_stand() {
     let cases: [(String, &str); 8] = [
         (format!("at u = 0: S = 0\npatch a {{ {INSIDE} }}"), "E0102 `u = 0` a boundary stands outside the patches"),
         (format!("patch a {{ {INSIDE} }}\npatch a {{ {INSIDE} }}"), "E0202 `a` two patches are called `a`"),
-        (format!("patch a {{ patch b {{ {INSIDE} }}"), "E0102 `patch b {` a patch stands inside another patch"),
+        (format!("patch a {{ patch b {{ {INSIDE} }}"), "E0102 `patch b {` a block stands inside another block"),
         (format!("patch a {{ param q = 1; {INSIDE} }}"), "E0102 `q` a param belongs to all patches"),
         (format!("param r = 1\npatch a {{ let r = 2; {INSIDE} }}"), "E0202 `r` `r` is declared twice"),
         (format!("patch a {{ {INSIDE}"), "E0103 `{` `{` is never closed"),

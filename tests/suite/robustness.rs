@@ -3,10 +3,14 @@
 use std::time::{Duration, Instant};
 
 use proptest::prelude::*;
+use trimline::decompose::decompose;
 use trimline::diagnostic::{Class, Code, Diagnostics};
+use trimline::eval::Backend;
 use trimline::limits::Limits;
+use trimline::net::NetSolver;
+use trimline::problem::Bindings;
 
-use crate::spec::{BOUNDARY, decomposition_within, examples, with_data};
+use crate::spec::{BOUNDARY, all_examples, problem_within, with_data};
 
 /// The stack of a thread on common systems is at least this large.
 const STACK: usize = 1 << 20;
@@ -14,16 +18,30 @@ const STACK: usize = 1 << 20;
 /// Ten times what the slowest case takes on a slow machine in a debug build: a hang, not a measurement.
 const SOON: Duration = Duration::from_secs(30);
 
+/// The number of basis functions of the first patch; the number of nets of a document without patches.
+fn understood(text: &str, limits: &Limits) -> Result<usize, Diagnostics> {
+    let one = |finding| vec![finding];
+    let problem = problem_within(text, limits)?;
+    if let Some(patch) = problem.patches.first() {
+        return decompose(&problem, patch, limits).map(|decomposition| decomposition.basis.len()).map_err(one);
+    }
+    let bindings = Bindings::evaluate(&problem).map_err(one)?;
+    for net in &problem.nets {
+        let solver = NetSolver::new(&problem, net, &bindings, Backend::Interpreter, limits).map_err(one)?;
+        solver.solve(&bindings, 0.0).map_err(one)?;
+    }
+    Ok(problem.nets.len())
+}
+
 /// Decodes, parses, resolves and decomposes; every finding must be one that a text can be blamed for.
 fn run(bytes: &[u8], limits: &Limits) -> Result<usize, Diagnostics> {
     let found = match std::str::from_utf8(bytes) {
-        Ok(text) => decomposition_within(text, limits),
+        Ok(text) => understood(text, limits),
         Err(_) => {
             let found = trimline::syntax::decode("spec", bytes, limits).expect_err("not UTF-8, or too long");
             Err(vec![found])
         }
     };
-    let found = found.map(|decomposition| decomposition.basis.len());
     if let Err(found) = &found {
         assert!(!found.is_empty());
         for finding in found {
@@ -74,7 +92,7 @@ fn is_limit(found: &Result<usize, Diagnostics>, name: &str) -> bool {
 
 #[test]
 fn every_prefix_of_every_example_is_answered() {
-    for (_, text) in examples() {
+    for (_, text) in all_examples() {
         for end in 0..=text.len() {
             let _ = run(&text.as_bytes()[..end], &tiny());
         }
@@ -248,7 +266,7 @@ proptest! {
         which in any::<prop::sample::Index>(),
         mutations in prop::collection::vec(mutation(), 1..5),
     ) {
-        let examples = examples();
+        let examples = all_examples();
         let bytes = mutated(&examples[which.index(examples.len())].1, &mutations);
         let _ = run(&bytes, &Limits::default());
         let _ = run(&bytes, &tiny());

@@ -119,7 +119,13 @@ pub fn separable(solution: &Solution) -> &SeparableSurface {
 }
 
 /// Every example of the project: name and text, by name.
+/// The examples that have patches.
 pub fn examples() -> Vec<(String, String)> {
+    all_examples().into_iter().filter(|(_, text)| !text.contains("bspline ")).collect()
+}
+
+/// Every example, those of B-spline nets among them.
+pub fn all_examples() -> Vec<(String, String)> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/examples");
     let files = std::fs::read_dir(folder).expect("the examples are part of the package");
     let mut examples: Vec<(String, String)> = files
@@ -136,5 +142,5 @@ pub fn examples() -> Vec<(String, String)> {
 }
 
 pub fn example(name: &str) -> String {
-    examples().into_iter().find(|(found, _)| found == name).map(|(_, text)| text).expect("an example")
+    all_examples().into_iter().find(|(found, _)| found == name).map(|(_, text)| text).expect("an example")
 }

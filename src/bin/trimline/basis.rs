@@ -79,6 +79,7 @@ pub fn run(arguments: &Arguments, _terminal: &Terminal) -> Outcome {
         return Err(Failure::Usage("--closure is printed as text or JSON".to_owned()));
     }
     let spec = Spec::read(&arguments.spec, &arguments.reading)?;
+    spec.without_nets("basis")?;
     let mut texts = Vec::new();
     let mut patches = Vec::new();
     for patch in &spec.patches {

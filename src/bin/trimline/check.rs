@@ -12,8 +12,10 @@ use trimline::verify::{JoinDeviation, Verification, verify_joins};
 use crate::Outcome;
 use crate::failure::{Failure, Said, print_warnings};
 use crate::joins::{self, JoinReport};
+use crate::nets::{self, NetReport};
 use crate::options::{Collocation, Format, Solving, Terminal};
 use crate::output::{self, rounded};
+use crate::parts::{Located, Part};
 use crate::seams::{self, SeamReport};
 use crate::workflow::{Patched, Spec, common_times};
 
@@ -55,6 +57,7 @@ const LARGE_RESIDUAL: f64 = 0.1;
 #[derive(Serialize)]
 struct Report {
     patches: Vec<PatchReport>,
+    nets: Vec<NetReport>,
     seams: Vec<SeamReport>,
     passed: bool,
 }
@@ -104,7 +107,7 @@ struct Boundary {
 }
 
 /// What one spec adds to the report, and the stated seams that are open.
-type Checked = (Vec<PatchReport>, Vec<SeamReport>, Option<Failure>);
+type Checked = (Vec<PatchReport>, Vec<NetReport>, Vec<SeamReport>, Option<Failure>);
 
 pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
     for (option, most) in [("--max-gap", arguments.max_gap), ("--max-angle", arguments.max_angle)] {
@@ -112,12 +115,13 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
             return Err(Failure::Usage(format!("{option} takes a number, 0 or more")));
         }
     }
-    let mut report = Report { patches: Vec::new(), seams: Vec::new(), passed: true };
+    let mut report = Report { patches: Vec::new(), nets: Vec::new(), seams: Vec::new(), passed: true };
     let mut failures: Vec<Failure> = Vec::new();
     for path in &arguments.spec {
         match check(path, arguments, terminal) {
-            Ok((patches, seams, open)) => {
+            Ok((patches, nets, seams, open)) => {
                 report.patches.extend(patches);
+                report.nets.extend(nets);
                 report.seams.extend(seams);
                 report.passed &= open.is_none();
                 if let Some(open) = open {
@@ -163,15 +167,19 @@ fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Check
     let spec = Spec::read(path, &arguments.solving.reading)?;
     print_warnings(&spec.warnings, &spec.source, terminal);
     let mut reports = Vec::new();
-    let prepared: Vec<Patched> = spec
-        .patches
-        .iter()
-        .map(|patch| spec.prepare(patch, &arguments.solving, arguments.collocation.points.as_deref()))
-        .collect::<Result<_, _>>()?;
-    for patched in &prepared {
+    let parts = spec.parts(&arguments.solving, arguments.collocation.points.as_deref())?;
+    let mut net_reports = Vec::new();
+    for part in &parts {
         let times = match arguments.solving.time {
-            Some(_) => vec![patched.instant(arguments.solving.time)?],
-            None => measured_instants(patched.prepared.domain.t),
+            Some(_) => vec![part.instant(arguments.solving.time)?],
+            None => measured_instants(part.domain().t),
+        };
+        let patched = match part {
+            Part::Patch(patched) => patched,
+            Part::Net(_) => {
+                net_reports.push(nets::report(&spec, part, times, terminal)?);
+                continue;
+            }
         };
         let mut worst: Option<Verification> = None;
         let mut joins: Option<Vec<JoinDeviation>> = None;
@@ -215,23 +223,20 @@ fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Check
             });
         }
     }
-    let (seams, open) = match seam_times(arguments, &spec, &prepared) {
+    let (seams, open) = match seam_times(arguments, &spec, &parts) {
         Some(times) => {
-            let surfaces_at = |time| {
-                let solved = prepared.iter().map(|patched| spec.solve(patched, time));
-                solved.map(|solved| Ok(solved?.solution.surface)).collect()
-            };
-            seams::measure(&spec, &prepared.iter().collect::<Vec<_>>(), &times, surfaces_at)?
+            let surfaces_at = |time| parts.iter().map(|part| Ok(spec.shape(part, time)?.surface)).collect();
+            seams::measure(&spec, &parts.iter().collect::<Vec<_>>(), &times, surfaces_at)?
         }
         None => Default::default(),
     };
     let open = if open.is_empty() { None } else { Some(Failure::found(&spec.source, open)) };
-    Ok((reports, seams, open))
+    Ok((reports, net_reports, seams, open))
 }
 
 /// The instants at which seams are measured; `None` if there can be none.
-fn seam_times(arguments: &Arguments, spec: &Spec, patched: &[Patched]) -> Option<Vec<f64>> {
-    let range = common_times(patched).filter(|_| patched.len() > 1 || !spec.problem.seams.is_empty());
+fn seam_times(arguments: &Arguments, spec: &Spec, parts: &[Part]) -> Option<Vec<f64>> {
+    let range = common_times(parts).filter(|_| parts.len() > 1 || !spec.problem.seams.is_empty());
     match (range, arguments.solving.time) {
         (None, _) => None,
         (Some(_), Some(time)) => Some(vec![time]),
@@ -295,10 +300,7 @@ fn explanations(spec: &Spec, patch: &Patch) -> Result<Explanations, Failure> {
 fn text(report: &Report) -> String {
     let mut text = String::new();
     for patch in &report.patches {
-        let when = match patch.times.as_slice() {
-            [first, .., last] => format!("{} instants from t = {first} to {last}", patch.times.len()),
-            times => times.iter().map(|time| format!("t = {time}")).collect(),
-        };
+        let when = instants_text(&patch.times);
         if let Some(explanation) = &patch.explanation {
             let (unicode, latex) = (&explanation.unicode.whole, &explanation.latex.whole);
             let _ = writeln!(text, "patch {} as it was understood\n\n{unicode}\nin LaTeX\n\n{latex}", patch.name);
@@ -315,12 +317,23 @@ fn text(report: &Report) -> String {
         }
         let _ = writeln!(text, "  {:20} {}", "PDE residual", residual_text(patch));
     }
+    for net in &report.nets {
+        nets::write_report(&mut text, net);
+    }
     for SeamReport { between: [a, b], gap, angle_degrees, .. } in &report.seams {
         let places = format!("{} at u = {} with {} at u = {}", a.patch, a.u, b.patch, b.u);
         let _ = writeln!(text, "seam {places}: gap {}, {}", rounded(*gap), angle_text(*angle_degrees));
     }
     let _ = writeln!(text, "{}", if report.passed { "passed" } else { "not passed" });
     text
+}
+
+/// The instants at which something was measured.
+pub fn instants_text(times: &[f64]) -> String {
+    match times {
+        [first, .., last] => format!("{} instants from t = {first} to {last}", times.len()),
+        times => times.iter().map(|time| format!("t = {time}")).collect(),
+    }
 }
 
 fn residual_text(patch: &PatchReport) -> String {

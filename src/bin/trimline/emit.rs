@@ -11,6 +11,7 @@ use crate::Outcome;
 use crate::failure::{Failure, print_warnings};
 use crate::options::{Collocation, Solving, Terminal};
 use crate::output::{self, Files};
+use crate::parts::Located;
 use crate::workflow::Spec;
 
 #[derive(Args)]
@@ -38,6 +39,7 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
         return Err(Failure::Usage(format!("there is no language `{}`", arguments.lang)));
     };
     let spec = Spec::read(&arguments.spec, &arguments.solving.reading)?;
+    spec.without_nets("emit")?;
     let [patch] = spec.patches.as_slice() else {
         let names: Vec<&str> = spec.patches.iter().map(|patch| patch.name.as_str()).collect();
         let message = "a file holds one patch: name it with --patch";

@@ -14,7 +14,8 @@ use crate::Outcome;
 use crate::failure::{Failure, Said, print_warnings};
 use crate::options::{Solving, Terminal};
 use crate::output;
-use crate::workflow::{Patched, Spec};
+use crate::parts::{Located, Part};
+use crate::workflow::Spec;
 
 #[derive(Args)]
 pub struct Arguments {
@@ -53,10 +54,9 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
     }
     let spec = Spec::read(&arguments.spec, &arguments.solving.reading)?;
     let derivatives = read_derivatives(&arguments.derivatives, spec.limits.derivative_order)?;
-    let patched: Vec<Patched> =
-        spec.patches.iter().map(|patch| spec.prepare(patch, &arguments.solving, grid)).collect::<Result<_, _>>()?;
-    let table = read_table(file, arguments.solving.time, &patched, spec.limits.samples)?;
-    let values = evaluate(&spec, &patched, &table, &derivatives, terminal)?;
+    let parts = spec.parts(&arguments.solving, grid)?;
+    let table = read_table(file, arguments.solving.time, &parts, spec.limits.samples)?;
+    let values = evaluate(&spec, &parts, &table, &derivatives, terminal)?;
     print_table(&table, &derivatives, &values, arguments.output.as_deref())
 }
 
@@ -113,7 +113,7 @@ pub fn read_derivatives(names: &[String], highest: usize) -> Result<Vec<Derivati
 }
 
 /// Points of a CSV file, all inside the domains of their patches.
-pub fn read_table(file: &str, time: Option<f64>, patched: &[Patched], allowed: usize) -> Result<Table, Failure> {
+pub fn read_table<P: Located>(file: &str, time: Option<f64>, parts: &[P], allowed: usize) -> Result<Table, Failure> {
     let shown = if file == "-" { "standard input" } else { file };
     let unreadable = |error: &dyn std::fmt::Display| Failure::Usage(format!("cannot read `{shown}`: {error}"));
     let input: Box<dyn Read> = if file == "-" {
@@ -136,13 +136,13 @@ pub fn read_table(file: &str, time: Option<f64>, patched: &[Patched], allowed: u
     };
     let required = |name: &str| column(name)?.ok_or_else(|| bad(format!("the header names no column `{name}`")));
     let columns = [Some(required("u")?), Some(required("v")?), column("t")?];
-    let names: Vec<&str> = patched.iter().map(|patch| patch.prepared.patch().name.as_str()).collect();
+    let names: Vec<&str> = parts.iter().map(Located::name).collect();
     let patch_column = if names.len() == 1 { None } else { column("patch")? };
     if names.len() != 1 && patch_column.is_none() {
         let message = format!("the spec has the patches {}", names.join(", "));
         return Err(Failure::Usage(format!("{message}: choose one with --patch, or give the points a column `patch`")));
     }
-    let times = patched.iter().map(|patch| patch.instant(time)).collect::<Result<Vec<f64>, _>>()?;
+    let times = parts.iter().map(|part| part.instant(time)).collect::<Result<Vec<f64>, _>>()?;
     let (mut rows, mut patches, mut points) = (Vec::new(), Vec::new(), Vec::new());
     for record in reader.records() {
         let record = record.map_err(|error| bad(error.to_string()))?;
@@ -158,8 +158,8 @@ pub fn read_table(file: &str, time: Option<f64>, patched: &[Patched], allowed: u
                 bad(format!("line {line}: there is no patch `{name}`; patches: {}", names.join(", ")))
             })?,
         };
-        let Some((patch, time)) = patched.get(index).zip(times.get(index)) else { continue };
-        let ranges = [patch.prepared.domain.u, patch.prepared.domain.v, patch.prepared.domain.t];
+        let Some((part, time)) = parts.get(index).zip(times.get(index)) else { continue };
+        let ranges = [part.domain().u, part.domain().v, part.domain().t];
         let mut point = [0.0, 0.0, *time];
         for (((coordinate, column), name), [low, high]) in
             point.iter_mut().zip(columns).zip(["u", "v", "t"]).zip(ranges)
@@ -186,7 +186,7 @@ pub fn read_table(file: &str, time: Option<f64>, patched: &[Patched], allowed: u
 /// Positions, then each derivative, at every point; each patch is solved once for each distinct instant.
 fn evaluate(
     spec: &Spec,
-    patched: &[Patched],
+    parts: &[Part],
     table: &Table,
     derivatives: &[Derivative],
     terminal: &Terminal,
@@ -199,17 +199,16 @@ fn evaluate(
     for (index, (patch, [_, _, t])) in table.patches.iter().zip(points).enumerate() {
         instants.entry((*patch, (t + 0.0).to_bits())).or_default().push(index);
     }
-    let mut said = vec![Said::default(); patched.len()];
+    let mut said = vec![Said::default(); parts.len()];
     for ((patch, bits), indices) in &instants {
-        let Some((patched, said)) = patched.get(*patch).zip(said.get_mut(*patch)) else { continue };
-        let solved = spec.solve(patched, f64::from_bits(*bits))?;
-        print_warnings(&said.news(solved.solution.report.warnings), &spec.source, terminal);
+        let Some((part, said)) = parts.get(*patch).zip(said.get_mut(*patch)) else { continue };
+        let shape = spec.shape(part, f64::from_bits(*bits))?;
+        print_warnings(&said.news(shape.warnings), &spec.source, terminal);
         let here: Vec<[f64; 3]> =
             indices.iter().filter_map(|&index| points.get(index)).map(|[u, v, t]| [*u, *v, t + 0.0]).collect();
         let mut values = vec![[0.0; 3]; here.len()];
         for (derivative, result) in wanted.iter().zip(&mut results) {
-            let surface = &solved.solution.surface;
-            surface.evaluate(*derivative, &here, &mut values).map_err(|finding| spec.fault(finding))?;
+            shape.surface.evaluate(*derivative, &here, &mut values).map_err(|finding| spec.fault(finding))?;
             for (&index, value) in indices.iter().zip(&values) {
                 if let Some(slot) = result.get_mut(index) {
                     *slot = *value;

@@ -9,13 +9,14 @@ use serde::Serialize;
 use trimline::diagnostic::{Code, Diagnostic};
 use trimline::export::{CadFormat, Face, Schema, write_cad};
 use trimline::fit::{Fitted, Settings, Target, fit};
-use trimline::surface::KnotVector;
+use trimline::surface::{BsplineSurface, KnotVector};
 
 use crate::Outcome;
 use crate::failure::{Failure, print_warnings, say};
 use crate::options::{Collocation, Format, Solving, Terminal, option_finding};
 use crate::output;
-use crate::workflow::{Patched, Solved, Spec};
+use crate::parts::{Located, Shape};
+use crate::workflow::Spec;
 
 #[derive(Args)]
 #[command(mut_arg("tolerance", |tolerance| tolerance.value_name("LENGTH").help(
@@ -72,6 +73,8 @@ struct PatchReport {
     edge_deviation: f64,
     tangent_deviation: f64,
     closed_in_v: bool,
+    /// Whether it is an approximation; a net is written exactly.
+    is_fit: bool,
 }
 
 pub fn run(mut arguments: Arguments, terminal: &Terminal) -> Outcome {
@@ -84,33 +87,51 @@ pub fn run(mut arguments: Arguments, terminal: &Terminal) -> Outcome {
     let settings = settings(arguments.degree, arguments.solving.tolerance.take().as_deref())?;
     let spec = Spec::read(&arguments.spec, &arguments.solving.reading)?;
     let points = arguments.collocation.points.as_deref();
-    let patched: Vec<Patched> =
-        spec.patches.iter().map(|patch| spec.prepare(patch, &arguments.solving, points)).collect::<Result<_, _>>()?;
-    let Some(first) = patched.first() else {
+    let parts = spec.parts(&arguments.solving, points)?;
+    let Some(first) = parts.first() else {
         return Err(spec.fault(Diagnostic::new(Code::EmptyDocument, "there is no patch to fit")));
     };
     let time = first.instant(arguments.solving.time)?;
-    let solved: Vec<Solved> = patched.iter().map(|patch| spec.solve(patch, time)).collect::<Result<_, _>>()?;
-    for one in &solved {
-        print_warnings(&one.solution.report.warnings, &spec.source, terminal);
+    let shapes: Vec<Shape> = parts.iter().map(|part| spec.shape(part, time)).collect::<Result<_, _>>()?;
+    for shape in &shapes {
+        print_warnings(&shape.warnings, &spec.source, terminal);
     }
-    let name = |patch: &Patched| patch.prepared.patch().name.clone();
-    let names: Vec<String> = patched.iter().map(name).collect();
-    let targets = names.iter().zip(&patched).zip(&solved).map(|((name, patch), solved)| {
-        let domain = &patch.prepared.domain;
-        Target { name, surface: &*solved.solution.surface, u: domain.u, v: domain.v }
+    let names: Vec<String> = parts.iter().map(|part| part.name().to_owned()).collect();
+    // A net is a B-spline already, and is written as it is.
+    let fitted = parts.iter().zip(&shapes).filter(|(_, shape)| shape.net.is_none()).map(|(part, shape)| {
+        let domain = part.domain();
+        Target { name: part.name(), surface: &*shape.surface, u: domain.u, v: domain.v }
     });
-    let fits = fit(&targets.collect::<Vec<_>>(), time, &settings, &spec.limits)
-        .map_err(|finding| Failure::Found { source: None, findings: vec![finding] })?;
-    let faces: Vec<Face> =
-        names.iter().zip(&fits).map(|(name, fit)| Face { name: name.clone(), surface: fit.surface.clone() }).collect();
+    let fitted: Vec<Target<'_>> = fitted.collect();
+    let mut fits = match fitted.as_slice() {
+        [] => Vec::new(),
+        targets => fit(targets, time, &settings, &spec.limits)
+            .map_err(|finding| Failure::Found { source: None, findings: vec![finding] })?,
+    }
+    .into_iter();
+    let (mut faces, mut reports) = (Vec::new(), Vec::new());
+    for (name, shape) in names.iter().zip(shapes) {
+        let (surface, report) = match shape.net {
+            Some(net) => {
+                let report = written(name, &net.filled.surface, time);
+                (net.filled.surface, report)
+            }
+            None => {
+                let fit = fits.next().ok_or_else(|| Failure::Machine("a patch was not fitted".to_owned()))?;
+                let report = report(name, &fit, time, settings.degree);
+                (fit.surface, report)
+            }
+        };
+        faces.push(Face { name: name.clone(), surface });
+        reports.push(report);
+    }
     let mut files = output::Files::default();
     let title = names.join(", ");
     let file: &mut dyn Write = files.create(&arguments.output)?;
     write_cad(&title, &faces, format, file)
         .map_err(|error| Failure::Found { source: None, findings: vec![error.to_diagnostic()] })?;
     files.keep()?;
-    let report = report(&names, &fits, time, settings.degree);
+    let report = Report { patches: reports };
     match arguments.format {
         Format::Json => output::print_json(&report),
         Format::Text => {
@@ -142,9 +163,9 @@ fn settings(degree: usize, tolerance: Option<&str>) -> Result<Settings, Failure>
     Ok(Settings { degree, tolerance: Some(tolerance) })
 }
 
-fn report(names: &[String], fits: &[Fitted], time: f64, degree: usize) -> Report {
-    let patch = |(name, fit): (&String, &Fitted)| PatchReport {
-        name: name.clone(),
+fn report(name: &str, fit: &Fitted, time: f64, degree: usize) -> PatchReport {
+    PatchReport {
+        name: name.to_owned(),
         time,
         degree,
         control_points: fit.surface.knots().map(KnotVector::points),
@@ -153,22 +174,41 @@ fn report(names: &[String], fits: &[Fitted], time: f64, degree: usize) -> Report
         edge_deviation: fit.edge_deviation,
         tangent_deviation: fit.tangent_deviation,
         closed_in_v: fit.is_closed_in_v,
-    };
-    Report { patches: names.iter().zip(fits).map(patch).collect() }
+        is_fit: true,
+    }
+}
+
+/// The report on a net, which is written exactly.
+fn written(name: &str, surface: &BsplineSurface, time: f64) -> PatchReport {
+    let [u, v] = surface.knots();
+    PatchReport {
+        name: name.to_owned(),
+        time,
+        degree: u.degree(),
+        control_points: [u.points(), v.points()],
+        tolerance: 0.0,
+        deviation: 0.0,
+        edge_deviation: 0.0,
+        tangent_deviation: 0.0,
+        closed_in_v: false,
+        is_fit: false,
+    }
 }
 
 fn text(report: &Report, path: &Path) -> String {
     let line = |patch: &PatchReport| {
         let [rows, columns] = patch.control_points;
         let closed = if patch.closed_in_v { ", closed in v" } else { "" };
+        let deviation = match patch.is_fit {
+            true => format!("largest deviation {:.1e} of {:.1e} allowed", patch.deviation, patch.tolerance),
+            false => "its own net".to_owned(),
+        };
         format!(
-            "wrote {}: {} at t = {}, degree {}, {rows} x {columns} points{closed}; largest deviation {:.1e} of {:.1e} allowed",
+            "wrote {}: {} at t = {}, degree {}, {rows} x {columns} points{closed}; {deviation}",
             path.display(),
             patch.name,
             patch.time,
             patch.degree,
-            patch.deviation,
-            patch.tolerance
         )
     };
     report.patches.iter().map(line).collect::<Vec<_>>().join("\n")

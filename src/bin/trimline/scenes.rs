@@ -7,14 +7,14 @@ use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use trimline::diagnostic::{Code, Diagnostic};
-use trimline::method::Solution;
 use trimline::surface::{Surface, SymbolicSurface};
 use trimline::tessellate::{Field, Grid, Mesh, Role, Scene, curvatures, instants, tessellate};
 use trimline::verify::residuals;
 
 use crate::failure::{Failure, Said, print_warnings};
 use crate::options::{Collocation, Solving, Terminal, option_finding, read_grid};
-use crate::workflow::{Patched, Spec};
+use crate::parts::{Located, Part};
+use crate::workflow::Spec;
 
 /// What to solve, and into how many quads to cut it.
 #[derive(Args)]
@@ -50,7 +50,7 @@ pub enum Quantity {
 /// A spec, ready to be meshed at any instant.
 pub struct Scenes {
     pub spec: Spec,
-    patched: Vec<Patched>,
+    parts: Vec<Part>,
     grid: Grid,
     quantities: Vec<Quantity>,
     with_surfaces: bool,
@@ -63,21 +63,19 @@ impl Scenes {
         let grid = Grid::new(u_cells, v_cells, &spec.limits)
             .map_err(|finding| option_finding("grid", &meshing.grid, finding))?;
         let points = meshing.collocation.points.as_deref();
-        let patched: Result<Vec<Patched>, Failure> =
-            spec.patches.iter().map(|patch| spec.prepare(patch, &meshing.solving, points)).collect();
-        let patched = patched?;
-        Ok(Scenes { spec, patched, grid, quantities: quantities.to_vec(), with_surfaces: meshing.with_surfaces })
+        let parts = spec.parts(&meshing.solving, points)?;
+        Ok(Scenes { spec, parts, grid, quantities: quantities.to_vec(), with_surfaces: meshing.with_surfaces })
     }
 
     /// As many instants as `frames` over the time domain, or the one that the user asked for; at all of them every patch
     /// has a shape.
     pub fn times(&self, frames: Option<usize>, time: Option<f64>) -> Result<Vec<f64>, Failure> {
-        let range = self.spec.common_times(&self.patched)?;
+        let range = self.spec.common_times(&self.parts)?;
         match frames {
             None => match time {
                 None => Ok(vec![range[0]]),
                 time => {
-                    let times = self.patched.iter().map(|patch| patch.instant(time));
+                    let times = self.parts.iter().map(|part| part.instant(time));
                     Ok(times.collect::<Result<Vec<f64>, _>>()?.into_iter().take(1).collect())
                 }
             },
@@ -90,16 +88,16 @@ impl Scenes {
     pub fn at(&self, time: f64, said: &mut Vec<Said>) -> Result<(Scene, Vec<Diagnostic>), Failure> {
         let mut scene = Scene { meshes: Vec::new(), time };
         let mut warnings = Vec::new();
-        said.resize_with(self.patched.len(), Said::default);
-        for (patch, said) in self.patched.iter().zip(said) {
-            let solution = self.spec.solve(patch, time)?.solution;
-            let ranges = (patch.prepared.domain.u, patch.prepared.domain.v);
-            let name = &patch.prepared.patch().name;
-            let (mut mesh, notes) = tessellate(name, &*solution.surface, ranges, time, self.grid)
+        said.resize_with(self.parts.len(), Said::default);
+        for (part, said) in self.parts.iter().zip(said) {
+            let shape = self.spec.shape(part, time)?;
+            let ranges = (part.domain().u, part.domain().v);
+            let (mut mesh, notes) = tessellate(part.name(), &*shape.surface, ranges, time, self.grid)
                 .map_err(|finding| self.spec.fault(finding))?;
-            mesh.fields = self.fields(patch, &solution, &mesh, time).map_err(|finding| self.spec.fault(finding))?;
+            mesh.fields =
+                self.fields(part, &*shape.surface, &mesh, time).map_err(|finding| self.spec.fault(finding))?;
             scene.meshes.push(mesh);
-            warnings.extend(said.news(solution.report.warnings));
+            warnings.extend(said.news(shape.warnings));
             warnings.extend(said.news(notes));
         }
         if self.with_surfaces {
@@ -110,21 +108,21 @@ impl Scenes {
 
     /// Adds the primary surfaces over their stated ranges; over those of the first patch where none is stated.
     fn add_surfaces(&self, scene: &mut Scene) -> Result<(), Failure> {
-        let (Some(first), spec) = (self.patched.first(), &self.spec) else { return Ok(()) };
+        let (Some(first), spec) = (self.parts.first(), &self.spec) else { return Ok(()) };
         for primary in &spec.problem.surfaces {
-            let ranges = spec.ranges_of(primary, [first.prepared.domain.u, first.prepared.domain.v])?;
+            let ranges = spec.ranges_of(primary, [first.domain().u, first.domain().v])?;
             let surface = SymbolicSurface::new(&spec.problem, primary, &spec.bindings, &spec.limits);
             let tessellated = tessellate(&primary.name, &surface, ranges.into(), scene.time, self.grid);
             let (mut mesh, _) = tessellated.map_err(|finding| spec.fault(finding.at(primary.origin)))?;
             mesh.role = Role::Primary;
-            mesh.fields = self.fields_of_primary(&surface, &mesh, scene.time).map_err(|finding| spec.fault(finding))?;
+            mesh.fields = self.fields_of_given(&surface, &mesh, scene.time).map_err(|finding| spec.fault(finding))?;
             scene.meshes.push(mesh);
         }
         Ok(())
     }
 
-    /// The fields that patches have; a given surface has no residual.
-    fn fields_of_primary(&self, surface: &dyn Surface, mesh: &Mesh, time: f64) -> Result<Vec<Field>, Diagnostic> {
+    /// The fields that patches have; a given surface has no residual, and that of a net says nothing.
+    fn fields_of_given(&self, surface: &dyn Surface, mesh: &Mesh, time: f64) -> Result<Vec<Field>, Diagnostic> {
         let mut fields = Vec::new();
         for quantity in &self.quantities {
             match quantity {
@@ -182,16 +180,17 @@ impl Scenes {
         Err(option_finding("frames", &frames.to_string(), finding))
     }
 
-    fn fields(&self, patch: &Patched, solution: &Solution, mesh: &Mesh, time: f64) -> Result<Vec<Field>, Diagnostic> {
+    fn fields(&self, part: &Part, surface: &dyn Surface, mesh: &Mesh, time: f64) -> Result<Vec<Field>, Diagnostic> {
+        let Part::Patch(patch) = part else { return self.fields_of_given(surface, mesh, time) };
         let mut fields = Vec::new();
         for quantity in &self.quantities {
             match quantity {
-                Quantity::Curvature => fields.extend(curvatures(&*solution.surface, mesh, time)?),
+                Quantity::Curvature => fields.extend(curvatures(surface, mesh, time)?),
                 Quantity::Residual => {
                     let (u, v) = mesh.axes();
                     let (problem, bindings) = (&self.spec.problem, &self.spec.bindings);
                     let points = (u.as_slice(), v.as_slice(), time);
-                    let values = residuals(problem, patch.prepared.patch(), &*solution.surface, bindings, points)?;
+                    let values = residuals(problem, patch.prepared.patch(), surface, bindings, points)?;
                     fields.push(Field { name: "residual", values });
                 }
             }

@@ -10,7 +10,8 @@ use trimline::surface::Surface;
 use trimline::verify::{Edge, SeamDeviation};
 
 use crate::failure::Failure;
-use crate::workflow::{Patched, Spec};
+use crate::parts::Located;
+use crate::workflow::Spec;
 
 /// Of the size of the edges: what is nearer than this is a seam, whose gap is worth knowing.
 pub const NEAR: f64 = 1e-3;
@@ -50,21 +51,21 @@ struct Pair<'a> {
 
 /// Measures the seams at `times`, at which `surfaces_at` gives those of all patches, and says which of the stated ones
 /// are open.
-pub fn measure(
+pub fn measure<P: Located>(
     spec: &Spec,
-    patched: &[&Patched],
+    parts: &[&P],
     times: &[f64],
     surfaces_at: impl Fn(f64) -> Result<Vec<Arc<dyn Surface + Send + Sync>>, Failure>,
 ) -> Result<(Vec<SeamReport>, Vec<Diagnostic>), Failure> {
-    let mut pairs = pairs(spec, patched)?;
+    let mut pairs = pairs(spec, parts)?;
     let mut size = 0.0_f64;
     for &time in times {
         let surfaces = surfaces_at(time)?;
         let sample = |(patch, u): Place| -> Result<Edge, Failure> {
-            let (Some(surface), Some(patched)) = (surfaces.get(patch), patched.get(patch)) else {
+            let (Some(surface), Some(part)) = (surfaces.get(patch), parts.get(patch)) else {
                 return Err(Failure::Machine("an edge of a patch that was not solved".to_owned()));
             };
-            let domain = &patched.prepared.domain;
+            let domain = part.domain();
             Edge::sample(&**surface, (u, domain.u), domain.v, time).map_err(|finding| spec.fault(finding))
         };
         // Each edge once, however many pairs it is in.
@@ -97,12 +98,12 @@ pub fn measure(
         Diagnostic::new(Code::SeamApart, message).at(seam.origin).hint("state the same boundary at both edges")
     });
     let open = open.collect();
-    Ok((pairs.into_iter().filter_map(|pair| report(pair, patched)).collect(), open))
+    Ok((pairs.into_iter().filter_map(|pair| report(pair, parts)).collect(), open))
 }
 
-fn report(pair: Pair<'_>, patched: &[&Patched]) -> Option<SeamReport> {
+fn report<P: Located>(pair: Pair<'_>, parts: &[&P]) -> Option<SeamReport> {
     let place = |(patch, u): Place| {
-        let name = patched.get(patch).map(|patched| patched.prepared.patch().name.clone());
+        let name = parts.get(patch).map(|part| part.name().to_owned());
         EdgePlace { patch: name.unwrap_or_default(), u }
     };
     let SeamDeviation { gap, angle_degrees } = pair.worst?;
@@ -117,13 +118,13 @@ fn report(pair: Pair<'_>, patched: &[&Patched]) -> Option<SeamReport> {
 }
 
 /// The stated seams of the chosen patches, then every other pair of ends.
-fn pairs<'a>(spec: &'a Spec, patched: &[&Patched]) -> Result<Vec<Pair<'a>>, Failure> {
+fn pairs<'a, P: Located>(spec: &'a Spec, parts: &[&P]) -> Result<Vec<Pair<'a>>, Failure> {
     let mut pairs: Vec<Pair<'a>> = Vec::new();
     for seam in &spec.problem.seams {
         let mut between = Vec::with_capacity(2);
         for (patch, u) in seam.edges {
-            let name = spec.problem.patches.get(patch).map(|patch| patch.name.as_str());
-            let chosen = patched.iter().position(|patched| Some(patched.prepared.patch().name.as_str()) == name);
+            let name = spec.problem.part_name(patch);
+            let chosen = parts.iter().position(|part| Some(part.name()) == name);
             let u = spec.bindings.constant(&spec.problem, u, seam.origin, "the position of a seam");
             between.extend(chosen.zip(Some(u.map_err(|finding| spec.fault(finding))?)));
         }
@@ -132,7 +133,7 @@ fn pairs<'a>(spec: &'a Spec, patched: &[&Patched]) -> Result<Vec<Pair<'a>>, Fail
         }
     }
     let stated = pairs.len();
-    let ends = patched.iter().enumerate().flat_map(|(index, patched)| patched.prepared.domain.u.map(|u| (index, u)));
+    let ends = parts.iter().enumerate().flat_map(|(index, part)| part.domain().u.map(|u| (index, u)));
     let ends: Vec<Place> = ends.collect();
     for (index, &first) in ends.iter().enumerate() {
         for &second in ends.iter().skip(index + 1) {

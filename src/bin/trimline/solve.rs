@@ -9,8 +9,10 @@ use trimline::surface::SeparableSurface;
 
 use crate::Outcome;
 use crate::failure::{print_warnings, say};
+use crate::nets::{self, NetSolution};
 use crate::options::{Collocation, Format, Solving, Terminal};
 use crate::output::{self, rounded};
+use crate::parts::{Located, Part};
 use crate::workflow::{Patched, Solved, Spec};
 
 #[derive(Args)]
@@ -32,6 +34,7 @@ pub struct Arguments {
 #[derive(Serialize)]
 struct Patches {
     patches: Vec<PatchSolution>,
+    nets: Vec<NetSolution>,
 }
 
 #[derive(Serialize)]
@@ -56,9 +59,9 @@ struct PatchSolution {
 }
 
 #[derive(Serialize)]
-struct Warning {
-    code: &'static str,
-    message: String,
+pub struct Warning {
+    pub code: &'static str,
+    pub message: String,
 }
 
 /// What stands in front of one basis function: a vector per boundary condition, then one per term.
@@ -100,9 +103,21 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
         }
         patches.push(solution);
     }
+    let points = arguments.collocation.points.as_deref();
+    let mut nets = Vec::new();
+    for net in &spec.nets {
+        let solver = spec.prepare_net(net, &arguments.solving, points)?;
+        let part = Part::Net(Box::new(solver));
+        let time = part.instant(arguments.solving.time)?;
+        let solution = nets::solution(&spec, &part, time, terminal)?;
+        if arguments.format == Format::Text {
+            nets::write_solution(&mut text, &solution);
+        }
+        nets.push(solution);
+    }
     match arguments.format {
         Format::Text => output::print(&text),
-        Format::Json => output::print_json(&Patches { patches }),
+        Format::Json => output::print_json(&Patches { patches, nets }),
     }
 }
 
@@ -196,7 +211,7 @@ fn write_text(text: &mut String, solution: &PatchSolution, patched: &Patched) {
 }
 
 /// x, y and z in columns of one width, points below points; JSON has all digits.
-fn columns(vector: &[f64; 3]) -> String {
+pub fn columns(vector: &[f64; 3]) -> String {
     vector.map(number).concat().trim_end().to_owned()
 }
 

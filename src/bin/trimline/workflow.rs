@@ -10,13 +10,14 @@ use trimline::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span};
 use trimline::eval::Backend;
 use trimline::limits::Limits;
 use trimline::method::{Options, Settings, Solution};
-use trimline::problem::{Bindings, Patch, PrimarySurface, Problem};
+use trimline::problem::{Bindings, Net, Patch, PrimarySurface, Problem};
 use trimline::resolve::{resolve, review, set_parameter};
 use trimline::syntax;
 use trimline::verify::Verification;
 
 use crate::failure::Failure;
 use crate::options::{Reading, Solving, option_finding};
+use crate::parts::Located;
 
 /// A spec that was read, with the user's parameter values.
 #[derive(Clone)]
@@ -27,6 +28,8 @@ pub struct Spec {
     pub bindings: Bindings,
     /// The patches the user asked for.
     pub patches: Vec<Patch>,
+    /// The nets the user asked for.
+    pub nets: Vec<Net>,
     /// What is worth a second look in the text.
     pub warnings: Diagnostics,
     /// Seconds from bytes to problem.
@@ -69,9 +72,9 @@ impl Spec {
         let problem = resolve(&document, &stem, &limits).map_err(|findings| Failure::found(&source, findings))?;
         let warnings = review(&document, &problem);
         let (problem, bindings) = with_values(problem, &source, &reading.set, &limits)?;
-        let patches = select(&problem, reading.patch.as_deref())?;
+        let (patches, nets) = select(&problem, reading.patch.as_deref())?;
         let parse_seconds = start.elapsed().as_secs_f64();
-        Ok(Spec { source, limits, problem, bindings, patches, warnings, parse_seconds })
+        Ok(Spec { source, limits, problem, bindings, patches, nets, warnings, parse_seconds })
     }
 
     /// This spec with other values of params or coefficients, each `NAME=EXPR`.
@@ -86,8 +89,8 @@ impl Spec {
     }
 
     /// The instants that lie in the time domain of every patch.
-    pub fn common_times(&self, patched: &[Patched]) -> Result<[f64; 2], Failure> {
-        common_times(patched).ok_or_else(|| {
+    pub fn common_times<P: Located>(&self, parts: &[P]) -> Result<[f64; 2], Failure> {
+        common_times(parts).ok_or_else(|| {
             let finding = Diagnostic::new(Code::EmptyDomain, "no instant lies in the time domain of every patch");
             self.fault(finding.hint("choose patches with --patch, or state one `domain t in [..]` for all"))
         })
@@ -149,26 +152,9 @@ impl Spec {
     }
 }
 
-impl Patched {
-    /// The instant the user asked for, which must lie in the time domain, or the domain's start.
-    pub fn instant(&self, time: Option<f64>) -> Result<f64, Failure> {
-        let [start, end] = self.prepared.domain.t;
-        match time {
-            None => Ok(start),
-            Some(time) if (start..=end).contains(&time) => Ok(time),
-            Some(time) => {
-                let message = format!("t = {time} lies outside the time domain [{start}, {end}]");
-                let finding = Diagnostic::new(Code::PointOutsideDomain, message)
-                    .hint("choose an instant inside, or widen `domain t in [..]` in the spec");
-                Err(option_finding("time", &time.to_string(), finding))
-            }
-        }
-    }
-}
-
-/// The instants that lie in the time domain of every patch.
-pub fn common_times(patched: &[Patched]) -> Option<[f64; 2]> {
-    let ranges = patched.iter().map(|patch| patch.prepared.domain.t);
+/// The instants that lie in the time domain of every part.
+pub fn common_times<P: Located>(parts: &[P]) -> Option<[f64; 2]> {
+    let ranges = parts.iter().map(|part| part.domain().t);
     ranges.reduce(|[a, b], [c, d]| [a.max(c), b.min(d)]).filter(|[start, end]| start <= end)
 }
 
@@ -236,12 +222,15 @@ fn overridden(source: &Source, changes: &[String], finding: Diagnostic) -> Failu
     }
 }
 
-fn select(problem: &Problem, name: Option<&str>) -> Result<Vec<Patch>, Failure> {
-    let Some(name) = name else { return Ok(problem.patches.clone()) };
-    let found: Vec<Patch> = problem.patches.iter().filter(|patch| patch.name == name).cloned().collect();
-    if found.is_empty() {
-        let known: Vec<&str> = problem.patches.iter().map(|patch| patch.name.as_str()).collect();
+/// The patches and the nets, or the one that is called `name`.
+fn select(problem: &Problem, name: Option<&str>) -> Result<(Vec<Patch>, Vec<Net>), Failure> {
+    let Some(name) = name else { return Ok((problem.patches.clone(), problem.nets.clone())) };
+    let patches: Vec<Patch> = problem.patches.iter().filter(|patch| patch.name == name).cloned().collect();
+    let nets: Vec<Net> = problem.nets.iter().filter(|net| net.name == name).cloned().collect();
+    if patches.is_empty() && nets.is_empty() {
+        let known = problem.patches.iter().map(|patch| patch.name.as_str());
+        let known: Vec<&str> = known.chain(problem.nets.iter().map(|net| net.name.as_str())).collect();
         return Err(Failure::Usage(format!("there is no patch `{name}`; patches: {}", known.join(", "))));
     }
-    Ok(found)
+    Ok((patches, nets))
 }

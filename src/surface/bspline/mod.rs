@@ -10,10 +10,12 @@ mod curve;
 mod insertion;
 mod json;
 mod knots;
+mod moving;
 
 pub use curve::BsplineCurve;
 pub use json::{from_json, to_json};
 pub use knots::{KnotVector, LARGEST_DEGREE};
+pub use moving::MovingBspline;
 
 use super::Surface;
 use crate::diagnostic::{Code, Diagnostic};

@@ -8,7 +8,10 @@ use crate::expr::{Function, canonical_name, unicode_name};
 use crate::syntax::RESERVED_WORDS;
 
 /// Statements whose words are names of the document.
-const OF_NAMES: &[&str] = &["param", "let", "domain", "pde", "at", "surface", "patch", "join", "seam", "deform"];
+const OF_NAMES: &[&str] = &[
+    "param", "let", "domain", "pde", "at", "surface", "patch", "join", "seam", "deform", "bspline", "knots", "net",
+    "layer",
+];
 
 /// Spells the tokens of `lines` in `alphabet`.
 pub fn respell(lines: &mut [Line<'_>], alphabet: Alphabet) {

@@ -19,6 +19,7 @@ use crate::Outcome;
 use crate::failure::Failure;
 use crate::options::{Collocation, Format, Solving, Terminal, read_grid};
 use crate::output::{self, rounded};
+use crate::parts::Located;
 use crate::workflow::{Patched, Solved, Spec, read_source};
 
 use clock::Clock;
@@ -133,6 +134,7 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
         return Err(Failure::Usage(format!("{message}: choose a smaller --grid, or raise the limit")));
     }
     let spec = Spec::of(read_source(&arguments.spec, &limits)?, reading)?;
+    spec.without_nets("bench")?;
     let Some(patch) = spec.patches.first() else {
         return Err(Failure::Usage("the spec has no patch to be measured".to_owned()));
     };

@@ -12,6 +12,7 @@ use trimline::tessellate::{Grid, Scene, tessellate};
 
 use crate::failure::Failure;
 use crate::options::{Solving, option_finding};
+use crate::parts::Located;
 use crate::workflow::{Patched, Spec, common_times};
 
 /// The method whose modes a morph takes away and adds.
@@ -154,6 +155,7 @@ impl<'a> Shapes<'a> {
 impl End {
     fn read(path: &str, kind: Kind, solving: &Solving) -> Result<End, Failure> {
         let mut spec = Spec::read(path, &solving.reading)?;
+        spec.without_nets("morph")?;
         if solving.method.is_some() {
             spec.patches.iter_mut().for_each(|patch| patch.solve = SolveRequest::default());
         }

@@ -126,6 +126,7 @@ impl Live {
 impl Compiled {
     fn read(path: &str, solving: &Solving, points: Option<&str>) -> Result<Compiled, Failure> {
         let spec = Spec::read(path, &solving.reading)?;
+        spec.without_nets("view")?;
         let patches =
             spec.patches.iter().map(|patch| spec.prepare(patch, solving, points)).collect::<Result<_, _>>()?;
         Ok(Compiled { spec, patches, solutions: None })

@@ -1,0 +1,163 @@
+//! B-spline nets stated in a text: against references, closed forms and nets filled in Rust.
+
+use serde_json::Value;
+
+use trimline::blend::Blend;
+use trimline::diagnostic::{Code, Source};
+use trimline::method::Options;
+use trimline::net::{SolvedNet, fill};
+use trimline::surface::KnotVector;
+
+use crate::bspline::distance;
+use crate::spec::{NAME, all_examples, at, example, told};
+
+fn blend(text: &str) -> Blend {
+    let compiled = Blend::compile(&Source::new(NAME, text), &Options::default());
+    compiled.unwrap_or_else(|found| panic!("{text}\n{}", told(text, &found)))
+}
+
+fn filled(text: &str, t: f64) -> SolvedNet {
+    blend(text).fill(0, t).unwrap_or_else(|finding| panic!("{finding}"))
+}
+
+/// The largest distance of two nets, over the largest coordinate.
+fn relative_distance(one: &[[f64; 3]], other: &[[f64; 3]]) -> f64 {
+    assert_eq!(one.len(), other.len());
+    let size = other.iter().flatten().fold(0.0_f64, |most, x| most.max(x.abs()));
+    one.iter().zip(other).fold(0.0_f64, |most, (p, q)| most.max(distance(*p, *q))) / size
+}
+
+fn net_of(reference: &str) -> Vec<[f64; 3]> {
+    let path = format!("{}/tests/reference/{reference}.json", env!("CARGO_MANIFEST_DIR"));
+    let file: Value = serde_json::from_str(&std::fs::read_to_string(path).expect("a reference file")).expect("JSON");
+    serde_json::from_value::<Vec<Vec<[f64; 3]>>>(file["control_net"].clone()).expect("rows").concat()
+}
+
+#[test]
+fn net_over_equal_knots_from_a_catenoid_is_the_reference() {
+    let net = filled(&example("p2_ex2"), 0.0);
+    // The reference is exact in the layers' doubles, which are a few roundings from ours.
+    assert!(relative_distance(net.filled.surface.net(), &net_of("p2_n7_catenoid_uniform")) <= 1e-14);
+}
+
+#[test]
+fn net_over_clamped_knots_is_the_one_filled_from_its_greville_points() {
+    let net = filled(&example("p2_ex3"), 0.0).filled;
+    let range = [std::f64::consts::PI, std::f64::consts::TAU];
+    let knots = range.map(|end| {
+        let breakpoints: Vec<f64> = (0..=8).map(|span| end * f64::from(span) / 8.0).collect();
+        KnotVector::clamped(3, &breakpoints).expect("knots")
+    });
+    let [u, v] = knots.each_ref().map(KnotVector::greville);
+    let place = |u: f64, v: f64| [u * u.sin() * v.cos(), u * u.cos() * v.cos(), u * v.sin()];
+    let points: Vec<[f64; 3]> = u.iter().flat_map(|u| v.iter().map(|v| place(*u, *v))).collect();
+    let expected = fill(&knots[0], &knots[1], &points).expect("a net");
+    assert!(relative_distance(net.surface.net(), expected.surface.net()) <= 1e-14);
+    assert_eq!(net.amplification, expected.amplification);
+}
+
+#[test]
+fn derivatives_in_time_are_those_of_a_net_that_is_linear_and_quadratic_in_time() {
+    let text = "domain t in [0, 2]\nbspline b {\nknots clamped in u, uniform in v\nnet 6 x 5 from [u + t sin(j), v + t^2 i^3, t^3]\n}\n";
+    let solver = blend(text);
+    let surface = |t: f64| solver.fill(0, t).expect("a net").surface;
+    let (early, late, here) = (surface(0.0), surface(2.0), surface(1.0));
+    for [u, v] in [[0.1, 0.2], [0.55, 3.0], [0.93, 5.9]] {
+        let point = |t: f64| [u, v, t];
+        let (before, behind, now) =
+            (at(&*early, "", point(0.0)), at(&*late, "", point(2.0)), at(&*here, "", point(1.0)));
+        let (rate, second) = (at(&*here, "t", point(1.0)), at(&*here, "tt", point(1.0)));
+        // Central differences with step 1 are exact for polynomials of degree 2.
+        for axis in [0, 1] {
+            assert!((rate[axis] - (behind[axis] - before[axis]) / 2.0).abs() <= 1e-12, "{rate:?}");
+            assert!((second[axis] - (behind[axis] - 2.0 * now[axis] + before[axis])).abs() <= 1e-11, "{second:?}");
+        }
+        assert!(distance([0.0, 0.0, rate[2]], [0.0, 0.0, 3.0]) <= 1e-13 && (second[2] - 6.0).abs() <= 1e-13);
+    }
+    let mut values = [[0.0; 3]];
+    let third = trimline::expr::Derivative::parse("ttt").expect("a derivative");
+    let refused = trimline::surface::Surface::evaluate(&*here, third, &[[0.5, 0.5, 1.0]], &mut values);
+    assert_eq!(refused.expect_err("order 3").code, Code::UnsupportedByMethod);
+    let elsewhere = trimline::surface::Surface::evaluate(&*here, Default::default(), &[[0.5, 0.5, 0.5]], &mut values);
+    assert_eq!(elsewhere.expect_err("another instant").code, Code::UnsupportedByMethod);
+}
+
+#[test]
+fn layers_stated_one_by_one_are_the_formula_they_share() {
+    let whole = "bspline b {\ndomain v in [0, 1]\nnet 4 x 6 from [i/n, j/m, sin(u + 2 v) + 0.1 i j]\n}\n";
+    let point = "[i/n, j/m, sin(u + 2 v) + 0.1 i j]";
+    let layers = ["i = 0", "i = 1", "i = n", "j = 0", "j = 1", "j = 6"].map(|at| format!("layer {at}: {point}\n"));
+    let each = format!("bspline b {{\ndomain v in [0, 1]\nnet 4 x 6\n{}}}\n", layers.concat());
+    assert_eq!(filled(whole, 0.0).filled.surface, filled(&each, 0.0).filled.surface);
+}
+
+#[test]
+fn knots_and_layers_follow_params_and_a_value_without_knots_changes_nothing() {
+    let text =
+        "param a = 2, h = 1\nbspline b {\nknots [0, 0, 0, 0, 0.5, a, 3, 3, 3, 3] in u\nnet 5 x 4 from [h i, j, 0]\n}\n";
+    let mut solver = blend(text);
+    let inner = |solver: &Blend| {
+        let surface = solver.fill(0, 0.0).expect("a net").filled.surface;
+        (surface.knots()[0].as_slice()[5], surface.net()[5 * 5][0])
+    };
+    assert_eq!(inner(&solver), (2.0, 5.0));
+    solver.set("a", "1.5").expect("ascending");
+    solver.set("h", "a").expect("a height");
+    assert_eq!(inner(&solver), (1.5, 7.5));
+    assert_eq!(solver.set("a", "0.5").expect_err("repeated")[0].code, Code::KnotRepeated);
+    assert_eq!(solver.set("a", "0.2").expect_err("descending")[0].code, Code::KnotsNotAscending);
+    assert_eq!(inner(&solver), (1.5, 7.5));
+}
+
+#[test]
+fn formula_of_a_point_outside_the_layers_is_not_read() {
+    // Infinite at i = j = 2 and nowhere else.
+    let net = filled("bspline b {\nnet 5 x 5 from [i, j, 1/((i - 2)^2 + (j - 2)^2)]\n}\n", 0.0);
+    assert!(net.filled.surface.net().iter().flatten().all(|x| x.is_finite()));
+}
+
+#[test]
+fn layers_that_cross_at_different_places_are_refused_at_the_instant_at_which_they_do() {
+    let rows = ["i = 0", "i = 1", "i = n"].map(|at| format!("layer {at}: [i, j, t j]\n")).concat();
+    let columns = ["j = 0", "j = 1", "j = m"].map(|at| format!("layer {at}: [i, j, t j^2]\n")).concat();
+    let solver = blend(&format!("bspline b {{\nnet 4 x 5\n{rows}{columns}}}\n"));
+    assert!(solver.fill(0, 0.0).is_ok());
+    let found = solver.fill(0, 1.0).map(|_| ()).expect_err("5 against 25");
+    assert_eq!(found.code, Code::LayersDisagree, "{found}");
+}
+
+#[test]
+fn documents_may_hold_patches_and_nets_with_a_seam_between_them() {
+    let text = "domain v in [0, 1]
+patch base {
+    at u = 0: S = [0, v, 0], ∂S/∂u = [1, 0, 0]
+    at u = 1: S = [1, v, 0], ∂S/∂u = [1, 0, 0]
+}
+bspline top {
+    domain u in [1, 2]
+    net 4 x 4 from [u, v, (u - 1)^2]
+}
+seam base at u = 1 with top at u = 1
+";
+    let blend = blend(text);
+    assert_eq!((blend.patches.len(), blend.nets.len()), (1, 1));
+    assert_eq!(blend.problem.seams[0].edges.map(|(part, _)| part), [0, 1]);
+    assert_eq!(blend.problem.part_name(1), Some("top"));
+    assert_eq!(blend.nets[0].domain.u, [1.0, 2.0]);
+    assert_eq!(blend.fill(1, 0.0).map(|_| ()).expect_err("one net").code, Code::SettingOutOfRange);
+}
+
+#[test]
+fn examples_of_nets_are_filled_at_both_ends_of_their_time() {
+    let nets: Vec<(String, String)> =
+        all_examples().into_iter().filter(|(_, text)| text.contains("bspline ")).collect();
+    assert!(nets.len() >= 2);
+    for (name, text) in nets {
+        let blend = blend(&text);
+        for (index, net) in blend.nets.iter().enumerate() {
+            for t in net.domain.t {
+                blend.fill(index, t).unwrap_or_else(|finding| panic!("{name}: {finding}"));
+            }
+        }
+    }
+}
