@@ -1,5 +1,8 @@
 // Emitted GLSL and WGSL, compiled and run by a browser: they give the surface that `eval` gives, in single precision.
 
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { check, deviation, evaluate, example, examples, isEmitted, launch, patchesOf, runAll, serve, test, trimline } from "./harness.mjs";
 
 const browser = await launch("--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader", "--enable-features=Vulkan");

@@ -8,6 +8,7 @@ import io
 import json
 import math
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -29,6 +30,9 @@ HERE = pathlib.Path(__file__).parent
 DOUBLE = 1e-13
 # Half a unit in the last place of a 32-bit float is 6e-8 of the number; a difference that is added, as much again.
 SINGLE = 1.3e-7
+# A player's clock is in single precision too: frame times are off by half a unit, 3e-8 of the duration, which is 1e-6 of
+# the way between two of 25 frames; frames differ by less than the surface is large.
+PLAYED = 2e-6
 
 
 class Case:
@@ -111,6 +115,20 @@ def glb(case):
     equal(mesh["matrix"], np.eye(4).flatten().tolist(), "placement")
     near(np.reshape(mesh["positions"], case.positions.shape), case.positions, SINGLE, "positions")
     near(np.reshape(mesh["normals"], case.positions.shape), case.normals(), SINGLE, "normals")
+
+
+def glb_played(case):
+    """The animation as three.js plays it: at every instant, and half-way between two, where it blends them."""
+    path = case.animation("glb")
+    seconds = [float(t - case.t[0]) for t in case.t]
+    between = [(a + b) / 2 for a, b in zip(seconds, seconds[1:])]
+    player = ["node", str(HERE / "play_glb.js"), str(path), *map(repr, [*seconds, *between])]
+    found = json.loads(subprocess.run(player, check=True, capture_output=True, text=True).stdout)
+    equal((found["names"], found["clips"]), ([re.sub(r"\s", "_", case.name)], 1), "meshes and animations")
+    near(found["duration"], seconds[-1], SINGLE, "duration")
+    frames = np.array(found["frames"])[:, 0]
+    near(frames[: case.frames], case.positions, PLAYED, "positions")
+    near(frames[case.frames :], (case.positions[1:] + case.positions[:-1]) / 2, PLAYED, "positions half-way")
 
 
 def glb_still(case):
@@ -297,7 +315,7 @@ def several_patches(trimline, spec, folder):
 
 def main(trimline, examples):
     examples = pathlib.Path(examples)
-    readers = [glb, glb_still, usd, npz, vtp, threemf, ply, obj, stl, pictures]
+    readers = [glb, glb_played, glb_still, usd, npz, vtp, threemf, ply, obj, stl, pictures]
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
         # A name that is neither ASCII nor a word.
@@ -311,7 +329,7 @@ def main(trimline, examples):
         for label, spec, grid, frames, v_range, t_range, is_closed in cases:
             case = Case(trimline, spec, folder, grid, frames, v_range, t_range, is_closed)
             for reader in readers:
-                if reader in (glb, usd) and frames == 1:
+                if reader in (glb, glb_played, usd) and frames == 1:
                     continue
                 report(label, reader.__name__, lambda: reader(case))
         for name, check in several_patches(trimline, examples / "eq24.trim", folder):
