@@ -11,6 +11,7 @@ mod instruction_set;
 mod rows;
 
 pub mod elementary;
+pub mod grid;
 pub mod peak;
 
 pub(crate) use instruction_set::multiversion;

@@ -8,6 +8,8 @@ mod coons;
 mod deformed;
 mod functions;
 mod gregory;
+mod on_grid;
+mod scattered;
 mod separable;
 mod sides;
 mod symbolic;
@@ -18,6 +20,7 @@ pub use bspline::{BsplineCurve, BsplineSurface, KnotVector, MovingBspline};
 pub use coons::CoonsSurface;
 pub use deformed::{Bump, DeformedSurface, Region};
 pub use functions::Functions;
+pub use on_grid::{GridShape, SurfaceOnGrid, UnitNormals};
 pub use separable::{Coefficients, SeparableSurface};
 pub use sides::{Corner, Sides};
 pub use symbolic::SymbolicSurface;
@@ -54,5 +57,33 @@ pub trait Surface {
     ) -> Result<(), Diagnostic> {
         let points: Vec<[f64; 3]> = u.iter().flat_map(|&u| v.iter().map(move |&v| [u, v, t])).collect();
         self.evaluate(derivative, &points, values)
+    }
+
+    /// Several partial derivatives at every point: `values[d]` for `derivatives[d]`, each as [`Surface::evaluate`]
+    /// writes it. What they have in common is computed once.
+    ///
+    /// # Errors
+    /// As [`Surface::evaluate`].
+    fn evaluate_all(
+        &self,
+        derivatives: &[Derivative],
+        points: &[[f64; 3]],
+        values: &mut [&mut [[f64; 3]]],
+    ) -> Result<(), Diagnostic> {
+        derivatives.iter().zip(values).try_for_each(|(derivative, values)| self.evaluate(*derivative, points, values))
+    }
+
+    /// Positions and tangents on the grid of all `u` and `v` at instant `t`, u-major, and where it costs little the unit
+    /// normals.
+    ///
+    /// # Errors
+    /// As [`Surface::evaluate`].
+    fn shape(&self, axes: (&[f64], &[f64], f64)) -> Result<GridShape, Diagnostic> {
+        let field = |derivative| {
+            let mut values = vec![[0.0; 3]; axes.0.len() * axes.1.len()];
+            self.evaluate_grid(derivative, axes, &mut values).map(|()| values)
+        };
+        let (positions, tangents_u) = (field(Derivative::NONE)?, field(Derivative::new(1, 0, 0))?);
+        Ok(GridShape { positions, tangents_u, tangents_v: field(Derivative::new(0, 1, 0))?, normals: None })
     }
 }

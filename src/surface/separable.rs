@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use super::validity::{check_instant, finite, unknown_in_time};
-use super::{Basis, Surface};
+use super::validity::{check_instant, unknown_in_time};
+use super::{Basis, GridShape, Surface, SurfaceOnGrid, scattered};
 use crate::diagnostic::Diagnostic;
 use crate::expr::Derivative;
 use crate::trial::Modes;
@@ -30,19 +30,25 @@ impl SeparableSurface {
     /// The derivative of order `order` in u of every G_j, so that `S = Σ_j G_j(u) F_j(v, t)`.
     #[must_use]
     pub fn amplitudes(&self, order: usize, u: f64) -> Vec<[f64; 3]> {
-        self.coefficients.first().map_or_else(Vec::new, |coefficients| {
-            self.combined(&self.modes.derivatives(order, u), &self.rows(coefficients))
-        })
+        let mut amplitudes = vec![[0.0; 3]; self.basis.len()];
+        if let Some(coefficients) = self.coefficients.first() {
+            let term = Term::new(coefficients, 1.0, 0, self.basis.len());
+            term.add_amplitudes(&self.modes.derivatives(order, u), &mut amplitudes);
+        }
+        amplitudes
     }
 
-    /// The coefficients' derivatives that a derivative of order `order` in t needs, with their binomial factors
-    /// and the order that is left for the basis.
-    fn time_terms(&self, order: usize) -> Result<Vec<(&Coefficients, f64, usize)>, Diagnostic> {
+    /// The coefficients that are not zero, of what a derivative of order `order` in t consists of: for each derivative
+    /// of the coefficients in time, with its binomial factor, the order that is left for the basis.
+    ///
+    /// # Errors
+    /// When the coefficients' derivatives are not known.
+    pub(super) fn terms(&self, order: usize) -> Result<Vec<Term>, Diagnostic> {
         let mut terms = Vec::new();
         let mut binomial = 1.0;
         for s in 0..=order {
             match self.coefficients.get(s) {
-                Some(coefficients) => terms.push((coefficients, binomial, order - s)),
+                Some(coefficients) => terms.push(Term::new(coefficients, binomial, order - s, self.basis.len())),
                 None if self.instant.is_none() => {}
                 None => return Err(unknown_in_time(order)),
             }
@@ -51,30 +57,44 @@ impl SeparableSurface {
         Ok(terms)
     }
 
-    /// `G_j(u) = Σ_m φ_m(u) C_mj` for every j, from the values of the modes.
-    fn combined(&self, modes: &[f64], rows: &Rows) -> Vec<[f64; 3]> {
-        let mut sum = vec![[0.0; 3]; self.basis.len()];
-        for (mode, row) in modes.iter().zip(rows) {
-            for (j, coefficient) in row {
-                if let Some(total) = sum.get_mut(*j) {
-                    add_scaled(total, *mode, coefficient);
-                }
-            }
-        }
-        sum
-    }
-
-    /// The coefficients that are not zero: of N wave numbers, each with its own modes, one in N is not.
-    fn rows(&self, coefficients: &Coefficients) -> Rows {
-        let row = |row: &[[f64; 3]]| {
-            row.iter().copied().enumerate().filter(|(_, coefficient)| *coefficient != [0.0; 3]).collect()
-        };
-        coefficients.chunks(self.basis.len().max(1)).map(row).collect()
+    /// Whether there are fewer modes than basis functions, so that `Σ_m φ_m(u) H_m(v, t)` is shorter than
+    /// `Σ_j G_j(u) F_j(v, t)`.
+    ///
+    /// Points and grids choose alike, and so get the same bits.
+    pub(super) fn sums_over_modes(&self, terms: &[Term]) -> bool {
+        self.modes.count() < self.basis.len() * terms.len()
     }
 }
 
-/// For each mode, basis functions and their coefficients.
-type Rows = Vec<Vec<(usize, [f64; 3])>>;
+/// What one derivative of the coefficients in time contributes.
+pub(super) struct Term {
+    /// The order in t that is left for the basis.
+    pub order: usize,
+    /// For each mode, basis functions and their coefficients: of N wave numbers, each with its own modes, one in N is
+    /// not zero.
+    pub rows: Vec<Vec<(usize, [f64; 3])>>,
+}
+
+impl Term {
+    fn new(coefficients: &Coefficients, factor: f64, order: usize, basis: usize) -> Term {
+        let row = |row: &[[f64; 3]]| {
+            let scaled = row.iter().map(|coefficient| coefficient.map(|x| factor * x)).enumerate();
+            scaled.filter(|(_, coefficient)| *coefficient != [0.0; 3]).collect()
+        };
+        Term { order, rows: coefficients.chunks(basis.max(1)).map(row).collect() }
+    }
+
+    /// `G_j(u) = Σ_m φ_m(u) C_mj` for every j, from the values of the modes: added to zeros.
+    pub(super) fn add_amplitudes(&self, modes: &[f64], amplitudes: &mut [[f64; 3]]) {
+        for (mode, row) in modes.iter().zip(&self.rows) {
+            for (j, coefficient) in row {
+                if let Some(sum) = amplitudes.get_mut(*j) {
+                    add_scaled(sum, *mode, coefficient);
+                }
+            }
+        }
+    }
+}
 
 impl Surface for SeparableSurface {
     fn as_separable(&self) -> Option<&SeparableSurface> {
@@ -82,21 +102,17 @@ impl Surface for SeparableSurface {
     }
 
     fn evaluate(&self, derivative: Derivative, points: &[[f64; 3]], values: &mut [[f64; 3]]) -> Result<(), Diagnostic> {
+        self.evaluate_all(&[derivative], points, &mut [values])
+    }
+
+    fn evaluate_all(
+        &self,
+        derivatives: &[Derivative],
+        points: &[[f64; 3]],
+        values: &mut [&mut [[f64; 3]]],
+    ) -> Result<(), Diagnostic> {
         points.iter().try_for_each(|[_, _, t]| check_instant(self.instant, *t))?;
-        let v: Vec<f64> = points.iter().map(|[_, v, _]| *v).collect();
-        let t: Vec<f64> = points.iter().map(|[_, _, t]| *t).collect();
-        values.fill([0.0; 3]);
-        for (coefficients, factor, order) in self.time_terms(derivative.t)? {
-            let basis = self.basis.values(Derivative { t: order, ..derivative }, &self.params, &v, &t)?;
-            let rows = self.rows(coefficients);
-            for (index, ([u, ..], value)) in points.iter().zip(values.iter_mut()).enumerate() {
-                let amplitudes = self.combined(&self.modes.derivatives(derivative.u, *u), &rows);
-                for (amplitude, row) in amplitudes.iter().zip(basis.chunks(points.len().max(1))) {
-                    add_scaled(value, factor * row.get(index).copied().unwrap_or(f64::NAN), amplitude);
-                }
-            }
-        }
-        finite(values)
+        scattered::evaluate(self, derivatives, points, values)
     }
 
     fn evaluate_grid(
@@ -105,27 +121,18 @@ impl Surface for SeparableSurface {
         (u, v, t): (&[f64], &[f64], f64),
         values: &mut [[f64; 3]],
     ) -> Result<(), Diagnostic> {
-        check_instant(self.instant, t)?;
-        let t = vec![t; v.len()];
-        values.fill([0.0; 3]);
-        for (coefficients, factor, order) in self.time_terms(derivative.t)? {
-            let basis = self.basis.values(Derivative { t: order, ..derivative }, &self.params, v, &t)?;
-            let rows = self.rows(coefficients);
-            for (u, row) in u.iter().zip(values.chunks_mut(v.len().max(1))) {
-                let amplitudes = self.combined(&self.modes.derivatives(derivative.u, *u), &rows);
-                for (amplitude, function) in amplitudes.iter().zip(basis.chunks(v.len().max(1))) {
-                    for (value, basis) in row.iter_mut().zip(function) {
-                        add_scaled(value, factor * basis, amplitude);
-                    }
-                }
-            }
-        }
-        finite(values)
+        SurfaceOnGrid::new(u, v).evaluate(self, derivative, t, values)
+    }
+
+    fn shape(&self, (u, v, t): (&[f64], &[f64], f64)) -> Result<GridShape, Diagnostic> {
+        SurfaceOnGrid::new(u, v).shape(self, t)
     }
 }
 
+/// `total + factor * vector`, each rounded once, as the kernels do.
+#[inline(always)]
 fn add_scaled(total: &mut [f64; 3], factor: f64, vector: &[f64; 3]) {
     for (sum, component) in total.iter_mut().zip(vector) {
-        *sum += factor * component;
+        *sum = factor.mul_add(*component, *sum);
     }
 }

@@ -1,6 +1,7 @@
 //! Where and when a solved surface holds.
 
 use crate::diagnostic::{Code, Diagnostic};
+use crate::kernels::grid::Number;
 
 /// Refuses another instant than the only one at which a solution holds.
 pub(super) fn check_instant(instant: Option<f64>, t: f64) -> Result<(), Diagnostic> {
@@ -20,8 +21,8 @@ pub(super) fn unknown_in_time(order: usize) -> Diagnostic {
 }
 
 /// Refuses values that overflow.
-pub(super) fn finite(values: &[[f64; 3]]) -> Result<(), Diagnostic> {
-    if values.iter().flatten().all(|value| value.is_finite()) {
+pub(super) fn finite<N: Number>(values: &[[N; 3]]) -> Result<(), Diagnostic> {
+    if values.iter().flatten().all(|value| value.to_f64().is_finite()) {
         return Ok(());
     }
     Err(Diagnostic::new(Code::SolutionNotFinite, "the surface is not finite: its values overflow"))

@@ -54,7 +54,10 @@ pub fn tessellate(
         v.pop();
     }
     let quads = grid.quads(is_closed_in_v);
-    let (normals, arbitrary) = normals(&samples, &quads);
+    let (normals, arbitrary) = match samples.normals.take() {
+        Some(normals) => (normals, 0),
+        None => normals(&samples, &quads),
+    };
     let warnings = if arbitrary == 0 { Vec::new() } else { vec![degenerate(name, arbitrary, normals.len())] };
     let mesh = Mesh {
         name: name.to_owned(),

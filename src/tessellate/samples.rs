@@ -1,8 +1,7 @@
 //! A patch's position and tangents on the grid, with the sizes that errors are measured against.
 
 use crate::diagnostic::{Code, Diagnostic};
-use crate::expr::Derivative;
-use crate::surface::Surface;
+use crate::surface::{GridShape, Surface, UnitNormals};
 
 /// Relative error that an evaluated position or derivative may carry.
 ///
@@ -16,6 +15,8 @@ pub(super) struct Samples {
     pub position: Vec<[f64; 3]>,
     pub tangent_u: Vec<[f64; 3]>,
     pub tangent_v: Vec<[f64; 3]>,
+    /// The unit normals, if every one of them is more than rounding.
+    pub normals: Option<Vec<[f64; 3]>>,
     pub columns: usize,
     /// Half the longest side of the bounding box. Half, because the whole one may overflow.
     pub half_extent: f64,
@@ -31,27 +32,32 @@ impl Samples {
         surface: &dyn Surface,
         (u, v, t): (&[f64], &[f64], f64),
     ) -> Result<Samples, Diagnostic> {
-        let field = |derivative| {
-            let mut values = vec![[0.0; 3]; u.len() * v.len()];
-            surface.evaluate_grid(derivative, (u, v, t), &mut values)?;
+        let shape = surface.shape((u, v, t))?;
+        let GridShape { positions: position, tangents_u: tangent_u, tangents_v: tangent_v, normals } = shape;
+        let largest_tangents = [largest(&tangent_u), largest(&tangent_v)];
+        let fields = [
+            (&position, largest(&position), "the position"),
+            (&tangent_u, largest_tangents[0], "the derivative in u"),
+            (&tangent_v, largest_tangents[1], "the derivative in v"),
+        ];
+        for (values, largest, quantity) in fields {
+            if largest.is_finite() {
+                continue;
+            }
             // A surface reports this itself; a foreign implementation that forgets must not reach a file.
             let points = u.iter().flat_map(|&u| v.iter().map(move |&v| (u, v)));
-            match values.iter().zip(points).find(|(value, _)| !value.iter().all(|x| x.is_finite())) {
-                None => Ok(values),
-                Some((_, (u, v))) => Err(Diagnostic::new(
-                    Code::SolutionNotFinite,
-                    format!("{} of `{name}` is not finite at u = {u}, v = {v}, t = {t}", quantity(derivative)),
-                )),
+            let found = values.iter().zip(points).find(|(value, _)| !value.iter().all(|x| x.is_finite()));
+            if let Some((_, (u, v))) = found {
+                let message = format!("{quantity} of `{name}` is not finite at u = {u}, v = {v}, t = {t}");
+                return Err(Diagnostic::new(Code::SolutionNotFinite, message));
             }
-        };
-        let position = field(Derivative::NONE)?;
-        let tangent_u = field(Derivative::new(1, 0, 0))?;
-        let tangent_v = field(Derivative::new(0, 1, 0))?;
+        }
         let half_extent = half_extent(&position);
         // Far from the origin the coordinates' own resolution is coarser than the patch's.
         let half_error = EVALUATION_ERROR * half_extent + 2.0 * f64::EPSILON * largest(&position);
-        let largest_tangents = [largest(&tangent_u), largest(&tangent_v)];
-        Ok(Samples { position, tangent_u, tangent_v, columns: v.len(), half_extent, half_error, largest_tangents })
+        let normals = normals.filter(|normals| are_certain(normals, largest_tangents)).map(|normals| normals.unit);
+        let columns = v.len();
+        Ok(Samples { position, tangent_u, tangent_v, normals, columns, half_extent, half_error, largest_tangents })
     }
 
     /// Whether the last column continues in the first: same positions and same tangents, all along the column.
@@ -88,18 +94,21 @@ impl Samples {
             position: cut(self.position),
             tangent_u: cut(self.tangent_u),
             tangent_v: cut(self.tangent_v),
+            normals: self.normals.map(cut),
             columns: columns.saturating_sub(1),
             ..self
         }
     }
 }
 
-fn quantity(derivative: Derivative) -> &'static str {
-    match (derivative.u, derivative.v) {
-        (0, 0) => "the position",
-        (_, 0) => "the derivative in u",
-        _ => "the derivative in v",
-    }
+/// Whether every normal is far longer than rounding makes it, before it is made a unit: then both tangents and the sine
+/// of the angle between them are too, whatever the vertex, since neither tangent exceeds √3 times its largest component.
+fn are_certain(normals: &UnitNormals, [largest_u, largest_v]: [f64; 2]) -> bool {
+    const CERTAIN: f64 = 16.0 * EVALUATION_ERROR;
+    let scale = CERTAIN * largest_u * largest_v;
+    // Below this the square of a length has lost digits.
+    const SMALLEST: f64 = 1e-280;
+    normals.least_square > SMALLEST && normals.least_square > scale * scale && scale.is_finite()
 }
 
 /// Halved like the error, since the difference of two finite numbers may overflow.
@@ -107,8 +116,11 @@ fn agree(a: &[f64; 3], b: &[f64; 3], half_error: f64) -> bool {
     a.iter().zip(b).all(|(a, b)| (0.5 * a - 0.5 * b).abs() <= half_error)
 }
 
+/// The largest size of a component; NaN or infinite if one is.
 fn largest(values: &[[f64; 3]]) -> f64 {
-    values.iter().flatten().fold(0.0, |largest, x| largest.max(x.abs()))
+    let sizes = values.iter().flatten().map(|x| x.to_bits() & (u64::MAX >> 1));
+    // Sizes are ordered as their bits are, and NaN comes last.
+    f64::from_bits(sizes.fold(0, u64::max))
 }
 
 fn half_extent(positions: &[[f64; 3]]) -> f64 {

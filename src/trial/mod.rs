@@ -19,6 +19,7 @@ pub use sine::Sine;
 use std::fmt::Debug;
 use std::sync::Arc;
 
+use crate::kernels::Rows;
 use crate::numeric::CardinalPolynomials;
 
 /// Functions φ_1, φ_2, … of u with all their derivatives.
@@ -43,6 +44,17 @@ pub trait Modes: Debug + Send + Sync {
 
     /// The derivatives of order `order` of every function at `u`.
     fn derivatives(&self, order: usize, u: f64) -> Vec<f64>;
+
+    /// The same at many `u`, a row for each function: the same bits.
+    fn tabulate(&self, order: usize, u: &[f64], rows: &mut Rows) {
+        for (index, u) in u.iter().enumerate() {
+            for (row, value) in rows.iter_mut().zip(self.derivatives(order, *u)) {
+                if let Some(slot) = row.get_mut(index) {
+                    *slot = value;
+                }
+            }
+        }
+    }
 }
 
 /// The usual modes: ξ_1 … ξ_n, then ζ_1 … ζ_K.

@@ -33,6 +33,7 @@ mod four_sided;
 #[cfg(feature = "cli")]
 mod four_sided_specs;
 mod fourier;
+mod grids;
 mod kernels;
 mod language;
 mod latex;
