@@ -52,6 +52,7 @@ mod robustness;
 mod sides;
 mod spec;
 mod static_blend;
+mod step_reading;
 mod surfaces;
 #[cfg(feature = "view")]
 mod view;

@@ -11,11 +11,13 @@ mod insertion;
 mod json;
 mod knots;
 mod moving;
+mod step;
 
 pub use curve::BsplineCurve;
 pub use json::{from_json, to_json};
 pub use knots::{KnotVector, LARGEST_DEGREE};
 pub use moving::MovingBspline;
+pub use step::from_step;
 
 use super::Surface;
 use crate::diagnostic::{Code, Diagnostic};
