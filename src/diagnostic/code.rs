@@ -106,6 +106,7 @@ codes! {
     MissingEquationTerm = "E0217", Error, Source, "The equation has no derivative in u.";
     UnusedDeclaration = "W0218", Warning, Source, "A declaration is not used.";
     DegenerateBoundary = "W0219", Warning, Source, "A trimline is a point, or a tangent has no length.";
+    PeriodMissed = "W0221", Warning, Source, "A domain almost ends where its boundary data repeat.";
     ShapesDiffer = "E0220", Error, Source, "Two shapes do not correspond, so that there is none between them.";
     NotDifferentiable = "E0301", Error, Source, "A derivative is needed of a function that has none.";
     DataNotFinite = "E0302", Error, Source, "Boundary data are not finite inside the domain.";
@@ -126,6 +127,7 @@ codes! {
     PromiseBroken = "E0413", Error, Numerical, "A solution is not what its method promises.";
     SeriesTruncated = "W0414", Warning, Numerical, "A Fourier series leaves out part of the boundary data.";
     PositionsAmplify = "W0415", Warning, Numerical, "Positions inside the blend amplify high wave numbers.";
+    LargeResidual = "W0417", Warning, Numerical, "The surface that `auto` found does not solve its equation.";
     SeamApart = "E0416", Error, Source, "Patches do not meet where a seam is stated.";
     KnotsNotAscending = "E0601", Error, Source, "A knot vector is not one.";
     KnotRepeated = "E0602", Error, Source, "A knot inside a net is repeated.";

@@ -62,6 +62,21 @@ impl Graph {
     /// # Errors
     /// [`TextTooLong`]: sharing is lost in text, which can be exponentially larger than its graph.
     pub fn text(&self, expr: ExprId, notation: Notation, allowed: usize) -> Result<String, TextTooLong> {
+        self.text_with_names(expr, notation, allowed, |name| name)
+    }
+
+    /// As [`Graph::text`], with each symbol under the canonical name that `named` gives it.
+    ///
+    /// # Errors
+    /// As [`Graph::text`].
+    pub fn text_with_names(
+        &self,
+        expr: ExprId,
+        notation: Notation,
+        allowed: usize,
+        named: fn(&str) -> &str,
+    ) -> Result<String, TextTooLong> {
+        let writer = Writer { graph: self, notation, named };
         let mut text = String::new();
         let mut pending = vec![Piece::Expr(expr, Strength::Sum)];
         while let Some(piece) = pending.pop() {
@@ -69,7 +84,6 @@ impl Graph {
                 Piece::Text(part) => text.push_str(part),
                 Piece::Owned(part) => text.push_str(&part),
                 Piece::Expr(id, least) => {
-                    let writer = Writer { graph: self, notation };
                     let (pieces, strength) = writer.pieces(id);
                     let brackets = strength < least;
                     if brackets {
@@ -81,7 +95,6 @@ impl Graph {
                     }
                 }
                 Piece::Negated(id) => {
-                    let writer = Writer { graph: self, notation };
                     pending.extend(writer.product(id, true).0.into_iter().rev());
                 }
             }
@@ -102,6 +115,7 @@ struct Group {
 struct Writer<'a> {
     graph: &'a Graph,
     notation: Notation,
+    named: fn(&str) -> &str,
 }
 
 type Pieces = (Vec<Piece>, Strength);
@@ -116,7 +130,8 @@ impl Writer<'_> {
             Node::Number(number) => self.number(*number),
             Node::Constant(constant) => (vec![Piece::Text(self.constant(*constant))], Strength::Atom),
             Node::Symbol(symbol) => {
-                (vec![Piece::Owned(self.notation.name(self.graph.symbol_name(*symbol)))], Strength::Atom)
+                let name = (self.named)(self.graph.symbol_name(*symbol));
+                (vec![Piece::Owned(self.notation.name(name))], Strength::Atom)
             }
             Node::Variable(variable) => (vec![Piece::Text(variable.name())], Strength::Atom),
             Node::Sum(terms) => self.sum(terms),
@@ -443,7 +458,8 @@ fn latex_name(canonical: &str) -> String {
         1 => stem.to_owned(),
         // TeX has no command for it.
         _ if stem == "omicron" => "ο".to_owned(),
-        _ if is_greek => format!(r"\{stem}"),
+        // `\pi` is always the number.
+        _ if is_greek && stem != "pi" => format!(r"\{stem}"),
         _ => format!(r"\mathrm{{{stem}}}"),
     };
     let subscript = if subscript.is_empty() { String::new() } else { format!("_{{{subscript}}}") };

@@ -34,7 +34,7 @@ pub fn nodes(kind: NodeKind, count: usize, [low, high]: [f64; 2]) -> Vec<f64> {
         NodeKind::Midpoints => (0..count).map(|l| between((l as f64 + 0.5) / total)).collect(),
         NodeKind::Ends if count < 2 => (0..count).map(|_| between(0.5)).collect(),
         NodeKind::Ends => (0..count).map(|l| between(l as f64 / (total - 1.0))).collect(),
-        NodeKind::Gauss => (0..count).map(|l| between(0.5 * (1.0 - legendre_zero(count, l)))).collect(),
+        NodeKind::Gauss => legendre_zeros(count).iter().map(|x| between(0.5 * (1.0 - x))).collect(),
         NodeKind::Chebyshev => {
             let share = |l: usize| 0.5 * (1.0 - libm::cos(std::f64::consts::PI * (l as f64 + 0.5) / total));
             (0..count).map(|l| between(share(l))).collect()
@@ -53,6 +53,14 @@ pub fn gauss_rule(count: usize, range: [f64; 2]) -> (Vec<f64>, Vec<f64>) {
     (nodes(NodeKind::Gauss, count, range), (0..count).map(weight).collect())
 }
 
+/// The zeros of the Legendre polynomial of degree `degree`, from the right; they lie symmetrically.
+fn legendre_zeros(degree: usize) -> Vec<f64> {
+    let mut zeros: Vec<f64> = (0..degree.div_ceil(2)).map(|index| legendre_zero(degree, index)).collect();
+    let mirrored: Vec<f64> = zeros.iter().take(degree / 2).rev().map(|x| -x).collect();
+    zeros.extend(mirrored);
+    zeros
+}
+
 /// Zero number `index`, from the right, of the Legendre polynomial of degree `degree`.
 fn legendre_zero(degree: usize, index: usize) -> f64 {
     let angle = std::f64::consts::PI * (index as f64 + 0.75) / (degree as f64 + 0.5);
@@ -60,7 +68,12 @@ fn legendre_zero(degree: usize, index: usize) -> f64 {
     // Newton from this start is quadratic; four steps reach rounding for every degree.
     for _ in 0..6 {
         let (value, slope) = legendre(degree, x);
-        x -= value / slope;
+        let step = value / slope;
+        x -= step;
+        // The next step would be its square times less than degree².
+        if step.abs() <= 1e-12 {
+            break;
+        }
     }
     x
 }

@@ -51,23 +51,31 @@ impl Domain {
         let ranges = self.ends.iter().zip(self.origins).zip(Variable::ALL).zip(&mut values);
         for (((ends, origin), variable), value) in ranges {
             let name = variable.name();
-            let what = format!("the range of {name}");
-            let [low, high] = *ends;
-            *value =
-                [bindings.constant_in(graph, low, origin, &what)?, bindings.constant_in(graph, high, origin, &what)?];
-            let [low, high] = *value;
-            if low >= high {
-                let message = format!("the domain {name} in [{low}, {high}] is empty");
-                let finding = Diagnostic::new(Code::EmptyDomain, message);
-                let finding = if low > high {
-                    finding.hint(format!("write the smaller end first: `{name} in [{high}, {low}]`"))
-                } else {
-                    finding.hint("the lower end must be below the upper end")
-                };
-                return Err(finding.at(origin));
-            }
+            *value = interval(graph, bindings, *ends, (&format!("the range of {name}"), name), origin)?;
         }
         let [u, v, t] = values;
         Ok(DomainValues { u, v, t })
     }
+}
+
+/// The ends of the range of the coordinate `name` as numbers; a finding calls the range `what`.
+pub(super) fn interval(
+    graph: &Graph,
+    bindings: &Bindings,
+    [low, high]: [ExprId; 2],
+    (what, name): (&str, &str),
+    origin: Option<Span>,
+) -> Result<[f64; 2], Diagnostic> {
+    let low = bindings.constant_in(graph, low, origin, what)?;
+    let high = bindings.constant_in(graph, high, origin, what)?;
+    if low < high {
+        return Ok([low, high]);
+    }
+    let finding = Diagnostic::new(Code::EmptyDomain, format!("the domain {name} in [{low}, {high}] is empty"));
+    let finding = if low > high {
+        finding.hint(format!("write the smaller end first: `{name} in [{high}, {low}]`"))
+    } else {
+        finding.hint("the lower end must be below the upper end")
+    };
+    Err(finding.at(origin))
 }

@@ -3,7 +3,9 @@
 //! The Unicode form is a spec and the constraints in LaTeX are a block of one, so both can be read again: that is how
 //! tests know that nothing was lost. Definitions are expanded; derivatives and constraints are as they are solved.
 
-use super::{ParameterKind, Patch, PdeTerm, Problem};
+use rustc_hash::FxHashSet;
+
+use super::{Parameter, ParameterKind, Patch, PdeTerm, Problem};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::expr::{Derivative, ExprId, Node, Notation, Variable};
 use crate::limits::Limits;
@@ -31,7 +33,7 @@ impl Problem {
     pub fn explain(&self, patch: &Patch, notation: Notation, limits: &Limits) -> Result<Explanation, Diagnostic> {
         let writer = Writer { problem: self, notation, limits };
         Ok(Explanation {
-            parameters: writer.parameters()?,
+            parameters: writer.parameters(patch)?,
             equation: writer.equation(patch)?,
             domain: writer.domain(patch)?,
             constraints: writer.constraints(patch)?,
@@ -50,6 +52,11 @@ impl Explanation {
     }
 }
 
+/// A coefficient of a patch's own equation, `cap.gamma` among the parameters, is `gamma` in that equation.
+fn own_name(name: &str) -> &str {
+    name.rsplit_once('.').map_or(name, |(_, own)| own)
+}
+
 struct Writer<'a> {
     problem: &'a Problem,
     notation: Notation,
@@ -62,7 +69,8 @@ impl Writer<'_> {
     }
 
     fn text(&self, expr: ExprId) -> Result<String, Diagnostic> {
-        self.problem.graph.text(expr, self.notation, self.limits.text_bytes).map_err(|too_long| {
+        let text = self.problem.graph.text_with_names(expr, self.notation, self.limits.text_bytes, own_name);
+        text.map_err(|too_long| {
             let message = format!("an expression is longer than the limit `text-bytes` of {}", too_long.allowed);
             Diagnostic::new(Code::LimitReached, message)
         })
@@ -82,11 +90,32 @@ impl Writer<'_> {
         Ok(format!("{is_in} [{}, {}]", self.text(low)?, self.text(high)?))
     }
 
+    /// The params, or the coefficients that the equation of `patch` is made of: other patches may have their own.
+    fn stated(&self, kind: ParameterKind, patch: &Patch) -> Vec<&Parameter> {
+        let (graph, operator) = (&self.problem.graph, &patch.operator);
+        let mut used: FxHashSet<ExprId> = FxHashSet::default();
+        let mut pending: Vec<ExprId> = operator.terms.iter().flat_map(|term| term.coefficient).collect();
+        pending.extend(operator.force);
+        let all = || self.problem.parameters.iter().filter(|parameter| parameter.kind == kind);
+        // Values use earlier coefficients only, so once backwards is enough.
+        let mut stated: Vec<&Parameter> = Vec::new();
+        for parameter in all().rev() {
+            used.extend(graph.reachable(&std::mem::take(&mut pending)));
+            let is_used = used.iter().any(|part| *graph.node(*part) == Node::Symbol(parameter.symbol));
+            if kind == ParameterKind::Parameter || is_used {
+                pending.push(parameter.value);
+                stated.push(parameter);
+            }
+        }
+        stated.reverse();
+        stated
+    }
+
     /// `name = value` of everything of one kind that can be set.
-    fn values(&self, kind: ParameterKind) -> Result<Vec<String>, Diagnostic> {
+    fn values(&self, kind: ParameterKind, patch: &Patch) -> Result<Vec<String>, Diagnostic> {
         let mut values = Vec::new();
-        for parameter in self.problem.parameters.iter().filter(|parameter| parameter.kind == kind) {
-            let name = self.notation.name(&parameter.name);
+        for parameter in self.stated(kind, patch) {
+            let name = self.notation.name(own_name(&parameter.name));
             let range = match parameter.interval {
                 Some(ends) => format!(" {}", self.interval(ends)?),
                 None => String::new(),
@@ -96,8 +125,8 @@ impl Writer<'_> {
         Ok(values)
     }
 
-    fn parameters(&self) -> Result<String, Diagnostic> {
-        let values = self.values(ParameterKind::Parameter)?;
+    fn parameters(&self, patch: &Patch) -> Result<String, Diagnostic> {
+        let values = self.values(ParameterKind::Parameter, patch)?;
         if self.is_latex() {
             let rows: Vec<String> = values.iter().map(|value| value.replacen(" = ", " &= ", 1)).collect();
             return Ok(aligned(&rows.join(", \\\\\n")));
@@ -118,7 +147,7 @@ impl Writer<'_> {
         }
         let is_zero = operator.is_homogeneous(&self.problem.graph);
         let right = if is_zero { "0".to_owned() } else { self.vector(operator.force)? };
-        let coefficients = self.values(ParameterKind::Coefficient)?;
+        let coefficients = self.values(ParameterKind::Coefficient, patch)?;
         if self.is_latex() {
             let rows = std::iter::once(format!("{left} &= {right}"));
             let rows = rows.chain(coefficients.iter().map(|value| value.replacen(" = ", " &= ", 1)));

@@ -1,7 +1,9 @@
 //! Primary surfaces, the trimlines where patches join them, and the seams where patches meet.
 
-use crate::diagnostic::Span;
-use crate::expr::{ExprId, Variable};
+use super::Bindings;
+use super::domain::interval;
+use crate::diagnostic::{Diagnostic, Span};
+use crate::expr::{ExprId, Graph, Variable};
 
 /// A surface that patches may join, in its own two parameters and time.
 #[derive(Debug, Clone)]
@@ -14,8 +16,28 @@ pub struct PrimarySurface {
     pub position: [ExprId; 3],
     /// The ranges of its two parameters, as far as they are stated; the ends are constants.
     pub ranges: [Option<[ExprId; 2]>; 2],
+    /// Where each range is written.
+    pub range_origins: [Option<Span>; 2],
     /// Where it is named.
     pub origin: Option<Span>,
+}
+
+impl PrimarySurface {
+    /// The ranges of its two parameters as numbers, as far as they are stated.
+    ///
+    /// # Errors
+    /// [`Code::EmptyDomain`](crate::diagnostic::Code::EmptyDomain) when a range has no extent or its ends are swapped,
+    /// [`Code::ParameterNotFinite`](crate::diagnostic::Code::ParameterNotFinite) when an end is not finite.
+    pub fn evaluate_ranges(&self, graph: &Graph, bindings: &Bindings) -> Result<[Option<[f64; 2]>; 2], Diagnostic> {
+        let mut values = [None; 2];
+        let stated = self.ranges.iter().zip(self.range_origins).zip(&self.parameters);
+        for (((ends, origin), name), value) in stated.zip(&mut values) {
+            let Some(ends) = *ends else { continue };
+            let what = format!("the range of {name} of `{}`", self.name);
+            *value = Some(interval(graph, bindings, ends, (&what, name), origin)?);
+        }
+        Ok(values)
+    }
 }
 
 /// A trimline of a patch that is a curve on a primary surface.

@@ -13,6 +13,7 @@ mod lower;
 mod net;
 mod operator;
 mod patch;
+mod period;
 mod prelude;
 mod reading;
 mod review;
@@ -50,12 +51,19 @@ pub fn resolve(document: &Document, name: &str, limits: &Limits) -> Result<Probl
     // Positions are numbers only if every param has its value.
     let bindings = if reading.found.is_empty() {
         problem.graph = std::mem::take(&mut reading.graph);
-        let bindings = Bindings::evaluate(&problem).map_err(|finding| vec![finding])?;
+        let bindings = Bindings::evaluate(&problem);
         reading.graph = std::mem::take(&mut problem.graph);
-        Some(bindings)
+        reading.keep(bindings)
     } else {
         None
     };
+    if let Some(bindings) = &bindings {
+        for surface in std::mem::take(&mut reading.surfaces) {
+            let ranges = surface.evaluate_ranges(&reading.graph, bindings);
+            reading.keep(ranges);
+            reading.surfaces.push(surface);
+        }
+    }
     for section in sections {
         problem.patches.extend(patch::resolve(section, bindings.as_ref(), &mut reading));
     }

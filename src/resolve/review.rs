@@ -2,16 +2,24 @@
 
 use rustc_hash::FxHashSet;
 
+use super::period;
+
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, MOST_FINDINGS};
-use crate::problem::{COMPONENTS, Problem};
+use crate::problem::{Bindings, COMPONENTS, Problem};
 use crate::syntax::ast::{DefinitionKind, Document, Name, NetSource, Statements};
 
 /// Warnings about a document and the problem it resolved to, in source order: declarations that nothing uses,
-/// trimlines that are a point and tangents without length.
+/// trimlines that are a point, tangents without length, and domains that miss the period of their data.
 #[must_use]
 pub fn review(document: &Document, problem: &Problem) -> Diagnostics {
     let mut found: Diagnostics = unused(document);
+    let bindings = Bindings::evaluate(problem).ok();
     for patch in &problem.patches {
+        let missed = bindings.as_ref().and_then(|bindings| period::missed(problem, patch, bindings));
+        // Patches may share their domain.
+        found.extend(
+            missed.filter(|missed| !found.iter().any(|other| other.code == missed.code && other.span == missed.span)),
+        );
         let needs_tangents = patch.conditions.len() >= 4;
         for condition in &patch.conditions {
             let (message, marker) = match condition.order {

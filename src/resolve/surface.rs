@@ -48,7 +48,7 @@ pub fn declare(definition: &Definition, ranges: &[Range], scope: &mut Scope<'_>,
     let inside = scope.of_surface(parameters, values);
     let position = reading.lowering(&inside).vector(definition.value);
     let position = reading.keep(position);
-    let ranges = own_ranges(ranges, parameters, scope, reading);
+    let (ranges, range_origins) = own_ranges(ranges, parameters, scope, reading);
     let meaning = match position.filter(|_| reading.found.len() == found_before) {
         None => Meaning::Faulty,
         Some(position) => {
@@ -58,6 +58,7 @@ pub fn declare(definition: &Definition, ranges: &[Range], scope: &mut Scope<'_>,
                 parameters: parameters.iter().map(|name| name.text.clone()).collect(),
                 position,
                 ranges,
+                range_origins,
                 origin: Some(definition.name.span),
             });
             Meaning::Surface(Rc::new(SurfaceMeaning { index, parameters: parameters.clone(), position }))
@@ -67,17 +68,18 @@ pub fn declare(definition: &Definition, ranges: &[Range], scope: &mut Scope<'_>,
     reading.keep(declared);
 }
 
-/// The ranges behind `with`.
+/// The ranges behind `with`, and where each is written.
 fn own_ranges(
     stated: &[Range],
     parameters: &[Name],
     scope: &Scope<'_>,
     reading: &mut Reading<'_>,
-) -> [Option<[ExprId; 2]>; 2] {
-    let mut ranges = [None; 2];
+) -> ([Option<[ExprId; 2]>; 2], [Option<Span>; 2]) {
+    let (mut ranges, mut origins) = ([None; 2], [None; 2]);
     for range in stated {
         let index = parameters.iter().position(|parameter| parameter.text == range.variable.text);
-        let Some(slot) = index.and_then(|index| ranges.get_mut(index)) else {
+        let slots = index.and_then(|index| ranges.get_mut(index).zip(origins.get_mut(index)));
+        let Some((slot, origin)) = slots else {
             let message = format!("`{}` is not a parameter of the surface with a range", range.variable.text);
             let finding = Diagnostic::new(Code::UnknownName, message).at(range.variable.span);
             reading.report(finding.hint("its first and second parameter may have one"));
@@ -87,6 +89,8 @@ fn own_ranges(
             let end = reading.lowering(scope).constant(end, "the range of a surface's parameter");
             reading.keep(end)
         });
+        let [low, high] = range.interval.map(|end| reading.tree.span(end));
+        *origin = Some(low.to(high));
         if let [Some(low), Some(high)] = ends
             && slot.replace([low, high]).is_some()
         {
@@ -94,7 +98,7 @@ fn own_ranges(
             reading.report(Diagnostic::new(Code::DuplicateStatement, message).at(range.variable.span));
         }
     }
-    ranges
+    (ranges, origins)
 }
 
 impl SurfaceMeaning {

@@ -256,7 +256,7 @@ impl Builder<'_> {
         let value = self.call(called, arguments, whole);
         let Some(exponent) = exponent else { return Ok(value) };
         let digits = superscript_digits(exponent.as_str().trim_start_matches('^').trim());
-        let digits = digits.replace(['−', '–'], "-").replace(char::is_whitespace, "");
+        let digits = digits.replace(['−', '–'], "-").replace(|c: char| c.is_whitespace() || matches!(c, '{' | '}'), "");
         if digits.starts_with('-') {
             let name = called.name();
             let message = format!("`{name}^{digits}` can mean the inverse function or the reciprocal");

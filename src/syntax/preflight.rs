@@ -10,7 +10,7 @@ use super::bars;
 use super::latex;
 use super::places::Places;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, MOST_FINDINGS, Source, Span, is_deceptive};
-use crate::expr::greek_letter;
+use crate::expr::{Function, greek_letter};
 use crate::limits::Limits;
 
 /// Words that begin a statement and therefore end the one before.
@@ -230,12 +230,17 @@ fn nested_block(start: usize, at: usize) -> Diagnostic {
         .hint("close the one before with `}`")
 }
 
-/// Whether the brace at `start` holds an exponent, as in `e^{-t}`, that is more than a whole number.
+/// Whether the brace at `start` holds an exponent, as in `e^{-t}`, that is more than a whole number and does not stand
+/// between a function and its argument.
 fn is_exponent(text: &str, start: usize) -> bool {
     let before = text.get(..start).unwrap_or("").trim_end_matches([' ', '\t']);
     let inside = text.get(start + 1..).unwrap_or("").trim_start();
     let after = inside.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start();
-    (before.ends_with('^') || before.ends_with("**")) && !after.starts_with('}')
+    let base = before.trim_end_matches('^').trim_end();
+    let rest = base.trim_end_matches(|c: char| c.is_alphanumeric() || matches!(c, '_' | '\'' | '′'));
+    let word = base.strip_prefix(rest).unwrap_or("").trim_start_matches(|c: char| c.is_ascii_digit());
+    let is_function = Function::named(word).is_some();
+    (before.ends_with('^') || before.ends_with("**")) && !after.starts_with('}') && !is_function
 }
 
 /// Puts the one byte of `mark` in place of the one at `at`.

@@ -51,8 +51,8 @@ fn integral(series: &[(usize, f64)]) -> Vec<(usize, f64)> {
     result
 }
 
-/// The derivatives of order `order` of L_0 … L_(count-1) at `x`.
-fn legendre(count: usize, order: usize, x: f64) -> Vec<f64> {
+/// L_0 … L_(count-1) at `x`.
+fn legendre(count: usize, x: f64) -> Vec<f64> {
     let mut values = Vec::with_capacity(count);
     for k in 0..count {
         let value = match (k, values.get(k.wrapping_sub(1)), values.get(k.wrapping_sub(2))) {
@@ -63,17 +63,19 @@ fn legendre(count: usize, order: usize, x: f64) -> Vec<f64> {
         };
         values.push(value);
     }
-    for _ in 0..order {
-        // L_(k+1)' = L_(k-1)' + (2k + 1) L_k, and the same for higher derivatives.
-        let mut slopes: Vec<f64> = Vec::with_capacity(count);
-        for k in 0..count {
-            let below = k.checked_sub(2).and_then(|two| slopes.get(two)).copied().unwrap_or(0.0);
-            let value = k.checked_sub(1).and_then(|one| values.get(one).map(|value| (2 * one + 1) as f64 * value));
-            slopes.push(below + value.unwrap_or(0.0));
-        }
-        values = slopes;
-    }
     values
+}
+
+/// The derivatives of L_0, L_1, … given their values, or of one order more given those of any order.
+fn slopes(values: &[f64]) -> Vec<f64> {
+    // L_(k+1)' = L_(k-1)' + (2k + 1) L_k, and the same for higher derivatives.
+    let mut slopes: Vec<f64> = Vec::with_capacity(values.len());
+    for k in 0..values.len() {
+        let below = k.checked_sub(2).and_then(|two| slopes.get(two)).copied().unwrap_or(0.0);
+        let value = k.checked_sub(1).and_then(|one| values.get(one).map(|value| (2 * one + 1) as f64 * value));
+        slopes.push(below + value.unwrap_or(0.0));
+    }
+    slopes
 }
 
 impl TrialFamily for IntegratedLegendre {
@@ -81,14 +83,48 @@ impl TrialFamily for IntegratedLegendre {
         "legendre"
     }
 
-    fn derivatives(&self, count: usize, order: usize, u: f64, [low, high]: [f64; 2]) -> Vec<f64> {
-        // dx/du; φ_k is scaled so that its derivative of order n/2 in u is the polynomial itself.
-        let slope = 2.0 / (high - low);
-        let x = (u - low) * slope - 1.0;
+    fn derivatives(&self, count: usize, order: usize, u: f64, range: [f64; 2]) -> Vec<f64> {
+        let (x, slope) = scaled(u, range);
+        let differentiations = order.saturating_sub(self.integrations());
+        let mut values = legendre(self.degrees(count), x);
+        for _ in 0..differentiations {
+            values = slopes(&values);
+        }
+        self.of_order(count, order, &values, slope)
+    }
+
+    fn derivatives_up_to(&self, count: usize, order: usize, u: f64, range: [f64; 2]) -> Vec<Vec<f64>> {
+        let (x, slope) = scaled(u, range);
+        let mut values = legendre(self.degrees(count), x);
+        let mut all = Vec::with_capacity(order + 1);
+        for order in 0..=order {
+            if order > self.integrations() {
+                values = slopes(&values);
+            }
+            all.push(self.of_order(count, order, &values, slope));
+        }
+        all
+    }
+}
+
+/// x from -1 to 1, and dx/du.
+fn scaled(u: f64, [low, high]: [f64; 2]) -> (f64, f64) {
+    let slope = 2.0 / (high - low);
+    ((u - low) * slope - 1.0, slope)
+}
+
+impl IntegratedLegendre {
+    /// How many Legendre polynomials `count` functions are made of: degrees from n - n/2, at most n/2 + 1, upwards, and
+    /// up to n/2 higher by integration.
+    fn degrees(&self, count: usize) -> usize {
+        count + 2 * self.integrations() + 2
+    }
+
+    /// The derivatives of order `order` of φ_1 … φ_count, given as many derivatives of the Legendre polynomials as no
+    /// integration undoes. φ_k is scaled so that its derivative of order n/2 in u is the polynomial itself.
+    fn of_order(&self, count: usize, order: usize, values: &[f64], slope: f64) -> Vec<f64> {
         let most = self.integrations();
         let (integrations, differentiations) = (most.saturating_sub(order), order.saturating_sub(most));
-        // Degrees from n - n/2, at most n/2 + 1, upwards, and up to n/2 higher by integration.
-        let values = legendre(count + 2 * most + 2, differentiations, x);
         let exponent = i32::try_from(differentiations).unwrap_or(i32::MAX) - i32::try_from(integrations).unwrap_or(0);
         let factor = slope.powi(exponent);
         let series = self.integrals.get(integrations).into_iter().flatten().take(count);

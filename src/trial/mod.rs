@@ -29,6 +29,11 @@ pub trait TrialFamily: Debug + Send + Sync {
 
     /// The derivatives of order `order` of φ_1 … φ_count at `u` in `range`.
     fn derivatives(&self, count: usize, order: usize, u: f64, range: [f64; 2]) -> Vec<f64>;
+
+    /// The derivatives of every order up to `order`, one list for each: what several orders need is computed once.
+    fn derivatives_up_to(&self, count: usize, order: usize, u: f64, range: [f64; 2]) -> Vec<Vec<f64>> {
+        (0..=order).map(|order| self.derivatives(count, order, u, range)).collect()
+    }
 }
 
 /// Every family, with room for `count` functions in an equation of order `order`.
@@ -87,6 +92,25 @@ impl CorrectedTrial {
         Some(CorrectedTrial { family, count, range, cardinal, boundary_values })
     }
 
+    /// The derivatives of every order up to `order` of every function at `u`, one list for each.
+    #[must_use]
+    pub fn derivatives_up_to(&self, order: usize, u: f64) -> Vec<Vec<f64>> {
+        let all = self.family.derivatives_up_to(self.count, order, u, self.range);
+        all.iter().enumerate().map(|(order, raw)| self.corrected(self.cardinal.derivatives(order, u), raw)).collect()
+    }
+
+    /// Derivatives of the ξ_i, and behind them those of the ζ_k, given those of the φ_k.
+    fn corrected(&self, mut values: Vec<f64>, raw: &[f64]) -> Vec<f64> {
+        let cardinal = values.len();
+        values.reserve(raw.len());
+        for (value, at_boundary) in raw.iter().zip(&self.boundary_values) {
+            let correction: f64 =
+                at_boundary.iter().zip(values.iter().take(cardinal)).map(|(factor, cardinal)| factor * cardinal).sum();
+            values.push(value - correction);
+        }
+        values
+    }
+
     /// The number of boundary functionals: the first so many functions are the ξ_i.
     #[must_use]
     pub fn cardinal_count(&self) -> usize {
@@ -100,17 +124,8 @@ impl Modes for CorrectedTrial {
     }
 
     fn derivatives(&self, order: usize, u: f64) -> Vec<f64> {
-        let mut values = self.cardinal.derivatives(order, u);
         let raw = self.family.derivatives(self.count, order, u, self.range);
-        let corrected: Vec<f64> = raw
-            .iter()
-            .zip(&self.boundary_values)
-            .map(|(value, at_boundary)| {
-                value - at_boundary.iter().zip(&values).map(|(factor, cardinal)| factor * cardinal).sum::<f64>()
-            })
-            .collect();
-        values.extend(corrected);
-        values
+        self.corrected(self.cardinal.derivatives(order, u), &raw)
     }
 }
 
@@ -155,6 +170,18 @@ mod tests {
                     // Second derivatives of φ_6 reach (6π/3.5)² < 30, cancelled to rounding.
                     assert!(value.abs() < 1e-12, "{} {u} {order} {value}", family.name());
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn derivatives_of_several_orders_are_those_of_each_order() {
+        let functionals = [(0.0, 0), (0.0, 1), (2.0, 0), (2.0, 1)];
+        for family in families(4, 5) {
+            let trial = CorrectedTrial::new(family, 5, [0.0, 2.0], &functionals).expect("independent");
+            for u in [0.0, 0.7, 2.0] {
+                let each: Vec<Vec<f64>> = (0..=6).map(|order| trial.derivatives(order, u)).collect();
+                assert_eq!(trial.derivatives_up_to(6, u), each);
             }
         }
     }

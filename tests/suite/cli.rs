@@ -178,6 +178,19 @@ fn an_existing_file_is_kept_when_the_command_fails() {
 }
 
 #[test]
+fn surface_of_auto_that_does_not_solve_its_equation_is_warned_of_by_every_command() {
+    let folder = Folder::new();
+    let spec = folder.spec("at u = 0: S = [1/(0.05 + v), v, 0], dS/du = 0\nat u = 1: S = [v, 1, 2], dS/du = [0, 0, 1]");
+    let target = folder.path("out.obj").to_string_lossy().into_owned();
+    let mesh = trimline(&["mesh", &spec, "-o", &target, "--grid", "2x2"]);
+    for output in [trimline(&["solve", &spec]), trimline(&["check", &spec]), mesh] {
+        assert_eq!(text(&output.stderr).matches("W0417").count(), 1, "{}", text(&output.stderr));
+    }
+    // Whoever names the method judges for himself.
+    assert!(!text(&trimline(&["solve", &spec, "--method", "legendre"]).stderr).contains("W0417"));
+}
+
+#[test]
 fn colours_appear_only_when_asked_for() {
     let folder = Folder::new();
     let spec = folder.spec("at u = 0: S_x = kv");

@@ -21,6 +21,8 @@ const ELSEWHERE: &[(Code, &str)] = &[
     (Code::NotFormatted, "a fault of `fmt` itself"),
     (Code::UnusedDeclaration, "`review`: below"),
     (Code::DegenerateBoundary, "`review`: below"),
+    (Code::PeriodMissed, "`review`: below"),
+    (Code::LargeResidual, "tests of the choice of `auto`"),
     (Code::ShapesDiffer, "tests of morphs, which take two texts"),
     (Code::PointOutsideDomain, "points and instants of the command line"),
     (Code::BadPoints, "tables of points of the command line"),
@@ -274,6 +276,34 @@ fn surface_that_is_only_joined_is_used() {
 fn trimline_that_is_a_point_and_tangent_without_length_are_warned_of() {
     let text = "at u = 0: S = 0, dS/du = [cos v, sin v, 0]\nat u = 1: S = [cos v, sin v, 1], dS/du = [0, 0, 0]";
     assert_eq!(reviewed(text), ["W0219 `0` the trimline is zero", "W0219 `0` the tangent is zero"]);
+}
+
+#[test]
+fn domain_that_almost_covers_a_period_of_its_data_is_warned_of() {
+    let rest = "at u = 0: S = [cos(k v), sin(k v), 0], dS/du = [0, 0, 1 + t]\nat u = 1: S = [2, cos(k v + k v), 1], dS/du = [0, 0, 1]\n";
+    let found =
+        |k: &str, range: &str, rest: &str| reviewed(&format!("domain v in [{range}]\n{}", rest.replace('k', k)));
+    for (k, range, expected) in [
+        ("1", "0, 6.28", "the domain of v ends 3.2e-3 before the boundary data repeat"),
+        ("1", "0, 2*3.14", "the domain of v ends 3.2e-3 before the boundary data repeat"),
+        ("1", "1, 7.3", "the domain of v ends 1.7e-2 behind the place where the boundary data repeat"),
+        ("3", "0, 2.09", "the domain of v ends 4.4e-3 before the boundary data repeat"),
+        ("2 π", "0, 0.999", "the domain of v ends 1.0e-3 before the boundary data repeat"),
+        ("1", "0, 12.5", "the domain of v ends 6.6e-2 before the boundary data repeat"),
+    ] {
+        assert_eq!(found(k, range, rest), [format!("W0221 `{range}` {expected}")], "{k} {range}");
+    }
+    // Exact, far from a period, without a period, not periodic, and data that agree nowhere.
+    for (k, range) in [("1", "0, 2π"), ("1", "0, 6.283185307179586"), ("1", "0, 6"), ("1", "-π, π"), ("2 π", "0, 1")]
+    {
+        assert_eq!(found(k, range, rest), [""; 0], "{k} {range}");
+    }
+    assert_eq!(found("1", "0, 6.28", &rest.replace("[2, cos", "[v, cos")), [""; 0]);
+    assert_eq!(found("1", "0, 6.28", &rest.replace("cos(k v + k v)", "cos(√2 v)")), [""; 0]);
+    assert_eq!(
+        reviewed(&format!("domain v in [0, 6.28]\n{}", rest.replace("(k v)", "(3)").replace("(k v + k v)", "(3)"))),
+        [""; 0]
+    );
 }
 
 #[test]

@@ -218,6 +218,48 @@ fn resonance_is_found_on_both_sides_with_its_critical_coefficient() {
 }
 
 #[test]
+fn sweep_of_figure_4_has_one_resonance_and_says_so_on_both_sides() {
+    let mut before: Option<(f64, f64)> = None;
+    let mut turns = Vec::new();
+    for eta in (-120..=-50).step_by(2).map(f64::from) {
+        let solution = figure_4(&eta.to_string()).solve(0, 0.0).unwrap_or_else(|finding| panic!("{eta}: {finding}"));
+        let warnings = &solution.report.warnings;
+        // The amplification falls below 10, where nothing is said, well before η = -90.
+        assert_eq!(!warnings.is_empty(), solution.report.amplification.expect("measured") >= 10.0, "{eta}");
+        assert!(!warnings.is_empty() || eta > -106.0, "{eta}");
+        assert!(warnings.iter().all(|warning| warning.hints[0].contains("eta = -113.6148")), "{eta} {warnings:?}");
+        let [x, ..] = at(&solution, "", [0.5, std::f64::consts::FRAC_PI_2, 0.0]);
+        turns.extend(before.filter(|(_, other)| other.signum() != x.signum()).map(|(other, _)| (other, eta)));
+        before = Some((eta, x));
+    }
+    // Below the resonance the surface swings to the other side; beyond it x stays positive.
+    assert_eq!(turns, [(-114.0, -112.0)]);
+}
+
+#[test]
+fn critical_value_is_found_where_a_coefficient_enters_the_equation_as_a_square() {
+    // S'' + a² S = 0 is resonant at a = π, and S'' + (a + a³) S = 0 where a + a³ = π².
+    for (term, start, critical) in [("a^2", "3.1", "a = 3.141593"), ("(a + a^3)", "2.0", "a = 1.989923")] {
+        let text = format!("param a = {start}\npde d2S/du2 + {term} S = 0\nat u = 0: S = [1, 0, 0]\nat u = 1: S = 0");
+        let solution = blend(&text).solve(0, 0.0).expect("solvable");
+        let warning = solution.report.warnings.first().expect("a note");
+        assert_eq!(warning.hints, [format!("there is no solution at {critical}")], "{term}");
+    }
+}
+
+#[test]
+fn force_with_a_feature_between_the_nodes_is_not_taken_for_smooth() {
+    // 24 terms are checked at 49 nodes, 0.02 to 0.03 apart, all of which miss a bump of this width.
+    for (width, is_resolved) in [("0.1", true), ("0.0008", false)] {
+        let text = format!(
+            "pde d4S/du4 = [exp(-((u - 0.391)/{width})^2), 0, 0]\nat u = 0: S = 0, ∂S/∂u = 0\nat u = 1: S = 0, ∂S/∂u = 0"
+        );
+        let solved = blend(&text).solve(0, 0.0);
+        assert_eq!(solved.is_ok(), is_resolved, "{width}: {:?}", solved.err());
+    }
+}
+
+#[test]
 fn a_resonant_equation_has_no_solution() {
     // S'' + π² S = 0 with S = 0 at both ends has sin πu for a solution: data that do not fit it have none.
     let text = "pde d2S/du2 + π^2 S = 0
@@ -397,4 +439,14 @@ fn a_surface_that_misses_its_boundary_is_refused_however_large_it_is() {
         blend.set("c", c).expect("a param");
         assert_eq!(blend.solve(0, 0.0).err().map(|finding| finding.code), Some(Code::PromiseBroken), "{c}");
     }
+    // The size of the data is what a miss is compared with, however small it is.
+    let small = text
+        .replace("cos v", "(1e-9) cos v")
+        .replace("sin v", "(1e-9) sin v")
+        .replace("3]", "3e-9]")
+        .replace("0, 1]", "0, 1e-9]");
+    let mut blend = Blend::compile(&Source::new("test", small), &Options::default()).expect("complete");
+    assert!(blend.solve(0, 0.0).is_ok());
+    blend.set("c", "1e-9").expect("a param");
+    assert_eq!(blend.solve(0, 0.0).err().map(|finding| finding.code), Some(Code::PromiseBroken));
 }

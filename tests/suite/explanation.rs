@@ -42,7 +42,7 @@ fn specs() -> Vec<String> {
     let rest = "at u = 0: S = [h' cos v, 0, 0], dS/du = 0, d2S/du2 = 0\nat u = 1: S = [0, 0, q], dS/du = 0, d2S/du2 = [v, r, 0]";
     let sixth =
         SPECS[1].replace("= 0 with q", "+ q S/r = 0 with q") + &rest.replace(", q]", ", 0]").replace(", r,", ", 1,");
-    examples().into_iter().map(|(_, text)| text).chain([SPECS[0].to_owned(), sixth]).collect()
+    examples().into_iter().map(|(_, text)| text).chain([SPECS[0].to_owned(), sixth, NAMES.to_owned()]).collect()
 }
 
 #[test]
@@ -53,6 +53,48 @@ fn explanation_in_unicode_is_a_spec_of_the_same_problem() {
         assert_eq!(basis(&again), basis(&text), "{again}");
         let second = problem(&again);
         assert_eq!(equation(&first), equation(&second), "{again}");
+    }
+}
+
+/// Names that begin like a function or a word of the language, or end in something else than letters and digits.
+const NAMES: &str =
+    "param sin_x = 2, exp_a = 3, in_x = 5, log_2 = 7, S_a = 11, d_u = 13, e_1 = 17, pi_a = 19, sin' = 23, sin1 = 29, \
+     x_a = 31, r_max' = 37
+at u = 0: S = [sin_x v + exp_a, in_x v + log_2, S_a v + d_u], ∂S/∂u = [e_1 v + pi_a, sin' v + sin1, x_a v + r_max']
+at u = 1: S = [cos v, sin v, 0], ∂S/∂u = 0
+";
+
+/// Equations of three patches: the one outside, its coefficients changed, and another one.
+const PATCHES: &str = "param a = 2
+pde ∂⁴S/∂u⁴ + k ∂⁴S/∂v⁴ = 0 with k = a, m = k²
+patch one { BOUNDARY }
+patch two { pde with k = 3
+BOUNDARY }
+patch three { pde ∂⁴S/∂u⁴ + (k + m) ∂²S/∂v² + m S = 0 with k = 5 + a, m = k²
+BOUNDARY }
+";
+
+#[test]
+fn explanation_of_each_patch_states_its_own_coefficients_under_their_plain_names() {
+    let text = PATCHES.replace("BOUNDARY", crate::spec::BOUNDARY).replace(", m = k²\npatch one", "\npatch one");
+    let whole = problem(&text);
+    let coefficients = ["with k = a\n", "with k = 3\n", "with k = 5 + a, m = k²\n"];
+    assert_eq!(whole.patches.len(), coefficients.len());
+    for (patch, expected) in whole.patches.iter().zip(coefficients) {
+        let limits = Limits::default();
+        let unicode = whole.explain(patch, Notation::Unicode, &limits).expect("short");
+        assert!(format!("{}\n", unicode.equation).ends_with(expected), "{}", unicode.equation);
+        let again = problem(&unicode.to_text());
+        let renamed = |text: &str| text.replace(&format!("{}.", patch.name), "");
+        let here = Problem { patches: vec![patch.clone()], ..whole.clone() };
+        let stated: Vec<String> = equation(&here).iter().map(|term| renamed(term)).collect();
+        assert_eq!(equation(&again), stated);
+        let latex = whole.explain(patch, Notation::Latex, &limits).expect("short");
+        assert!(!latex.equation.contains(&patch.name), "{}", latex.equation);
+        let row = latex.equation.lines().nth(1).expect("a row").trim_end_matches([',', ' ', '\\']);
+        let with = unicode.equation.split_once("with").map_or("", |(_, with)| with);
+        let pasted = format!("{}\npde $${row}$$ with {with}\n{}", unicode.parameters, crate::spec::BOUNDARY);
+        assert_eq!(equation(&problem(&pasted)), stated, "{pasted}");
     }
 }
 

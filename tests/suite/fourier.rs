@@ -264,6 +264,13 @@ fn data_that_do_not_close_are_refused_with_both_values() {
 }
 
 #[test]
+fn data_that_vary_fast_are_not_taken_for_data_with_a_corner() {
+    let (_, solution) = solved(&with_data("cos(3000 v)"), &[("modes", "8")]);
+    let warning = solution.report.warnings.first().expect("the wave is left out");
+    assert!(warning.hints[0].contains("more modes leave out less"), "{warning:?}");
+}
+
+#[test]
 fn data_whose_slope_jumps_are_solved_and_their_slow_decay_is_told() {
     let text = format!("pde (d2/du2 + d2/dv2)^2 S = 0\n{}", with_data("v*sin(v)"));
     let (blend, solution) = solved(&text, &[]);

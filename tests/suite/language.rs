@@ -144,6 +144,8 @@ fn bare_argument_extends_to_the_next_operator_or_function() {
     same("sin v^2", "sin(v^2)");
     same("sin^2 v", "sin(v)^2");
     same("sin² v", "sin(v)^2");
+    same("sin^{2} v", "sin(v)^2");
+    same("2sin^{2}(v) + e^{-t}", "2*sin(v)^2 + e^(-t)");
     same("sin^2(v) cos v", "sin(v)*sin(v)*cos(v)");
     same("√2 v", "sqrt(2)*v");
 }

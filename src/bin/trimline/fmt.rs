@@ -1,7 +1,7 @@
 //! `trimline fmt`: specs in their canonical layout.
 
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 
@@ -85,8 +85,5 @@ fn lay_out(path: &str, alphabet: Alphabet) -> Result<Laid, Failure> {
 fn write(files: &mut Files, laid: &Laid) -> Result<(), Failure> {
     let path = PathBuf::from(&laid.path);
     let failed = |error: std::io::Error| Failure::Machine(format!("cannot write `{}`: {error}", laid.path));
-    let permissions = std::fs::metadata(Path::new(&path)).map_err(failed)?.permissions();
-    let file = files.create(&path)?;
-    file.write_all(laid.text.as_bytes()).map_err(failed)?;
-    file.as_file().set_permissions(permissions).map_err(failed)
+    files.create(&path)?.write_all(laid.text.as_bytes()).map_err(failed)
 }

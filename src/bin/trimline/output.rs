@@ -42,12 +42,17 @@ pub struct Files {
 impl Files {
     /// A new file that will be called `path`.
     ///
-    /// A link is followed; a folder or a device is refused, since renaming would replace it.
+    /// A link is followed; a folder or a device is refused, since renaming would replace it, and so is a file that
+    /// may not be written. What was there before leaves its permissions to the new file.
     pub fn create(&mut self, path: &Path) -> Result<&mut NamedTempFile, Failure> {
         let resolved = path.canonicalize().unwrap_or_else(|_| path.to_owned());
         let path = resolved.as_path();
         if path.exists() && !path.is_file() {
             return Err(Failure::Usage(format!("`{}` is not an ordinary file", path.display())));
+        }
+        let before = path.metadata().ok().map(|metadata| metadata.permissions());
+        if before.as_ref().is_some_and(std::fs::Permissions::readonly) {
+            return Err(Failure::Machine(format!("cannot write `{}`: the file is read-only", path.display())));
         }
         let folder = match path.parent() {
             Some(folder) if !folder.as_os_str().is_empty() => folder,
@@ -64,6 +69,10 @@ impl Files {
         let file = builder
             .tempfile_in(folder)
             .map_err(|error| Failure::Machine(format!("cannot write to `{}`: {error}", folder.display())))?;
+        if let Some(before) = before {
+            let kept = file.as_file().set_permissions(before);
+            kept.map_err(|error| Failure::Machine(format!("cannot write `{}`: {error}", path.display())))?;
+        }
         self.written.push((file, path.to_owned()));
         match self.written.last_mut() {
             Some((file, _)) => Ok(file),

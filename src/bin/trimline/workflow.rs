@@ -98,17 +98,10 @@ impl Spec {
 
     /// The ranges of a primary surface's parameters: those stated, otherwise those given.
     pub fn ranges_of(&self, primary: &PrimarySurface, otherwise: [[f64; 2]; 2]) -> Result<[[f64; 2]; 2], Failure> {
-        let constant = |expr| {
-            let value = self.bindings.constant(&self.problem, expr, None, "the range of a surface's parameter");
-            value.map_err(|finding| self.fault(finding))
-        };
-        let mut ranges = otherwise;
-        for (range, stated) in ranges.iter_mut().zip(primary.ranges) {
-            if let Some([low, high]) = stated {
-                *range = [constant(low)?, constant(high)?];
-            }
-        }
-        Ok(ranges)
+        let stated = primary.evaluate_ranges(&self.problem.graph, &self.bindings);
+        let [u, v] = stated.map_err(|finding| self.fault(finding))?;
+        let [otherwise_u, otherwise_v] = otherwise;
+        Ok([u.unwrap_or(otherwise_u), v.unwrap_or(otherwise_v)])
     }
 
     /// Decomposes a patch.

@@ -139,8 +139,10 @@ impl Factorised {
     /// With odd orders (`is_symmetric` false) E can send the resonant function to where A does not reach it, and the
     /// radius misses it; the largest growth of any step is taken instead.
     pub fn amplification(&self, definite: &DMatrix<f64>, is_symmetric: bool) -> f64 {
-        let size = definite.nrows();
-        let mut vector = start(size);
+        if *definite == self.matrix {
+            return 1.0;
+        }
+        let mut vector = start(definite.nrows());
         let mut growth: f64 = 1.0;
         for _ in 0..ITERATIONS {
             let Some(image) = self.lu.solve(&(definite * &vector)) else { return f64::INFINITY };

@@ -8,6 +8,7 @@
 
 mod amplification;
 mod block;
+mod discretisation;
 mod system;
 
 use std::sync::Arc;
@@ -21,11 +22,11 @@ use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::eval::{Backend, Evaluator, Program, compile};
 use crate::expr::{ExprId, Notation};
 use crate::limits::Limits;
-use crate::numeric::{NodeKind, nodes};
 use crate::surface::{Basis, Coefficients, SeparableSurface};
-use crate::trial::{CorrectedTrial, IntegratedLegendre, Modes};
+use crate::trial::{CorrectedTrial, Modes};
 
-use block::{BlockSystem, Factorised, Tables};
+use block::{BlockSystem, Factorised};
+use discretisation::Discretisation;
 use system::{Place, System, evaluate};
 
 /// The method `exact`.
@@ -36,6 +37,8 @@ const MOST_TERMS: usize = 512;
 /// A residual below this that does not fall any more is rounding, which stiff equations amplify in the highest
 /// derivative; it is reported by `verify` as what it is.
 const NOISE: f64 = 1e-8;
+/// Nodes at which a force or coefficients that depend on u are looked at once more before a solution is accepted.
+const MANY_NODES: usize = 509;
 const DEFAULT_TOLERANCE: f64 = 1e-12;
 
 impl Method for Exact {
@@ -131,7 +134,9 @@ struct Progress<'a> {
     boundary: Vec<f64>,
     /// For each function that is solved, a row per mode.
     solved: Vec<Option<DMatrix<f64>>>,
-    /// Nodes, tables, entries and forces by number of terms.
+    /// Functions of u by number of trial functions.
+    modes: FxHashMap<usize, Arc<CorrectedTrial>>,
+    /// Nodes, tables, entries and forces by number of nodes.
     discretisations: FxHashMap<usize, Arc<Discretisation>>,
     /// Factorised blocks by their numbers.
     factorised: FxHashMap<(usize, Vec<u64>), Arc<Factorised>>,
@@ -145,14 +150,6 @@ struct Amplified {
     component: usize,
     terms: usize,
     factorised: Arc<Factorised>,
-}
-
-#[derive(Clone)]
-struct Discretisation {
-    tables: Tables,
-    entries: Vec<Vec<f64>>,
-    /// By function and component.
-    forces: Vec<Vec<f64>>,
 }
 
 impl Solver for ExactSolver {
@@ -170,6 +167,7 @@ impl Solver for ExactSolver {
             functionals: positions.iter().copied().zip(self.orders.iter().copied()).collect(),
             boundary: boundary.to_vec(),
             solved: vec![None; self.basis.len()],
+            modes: FxHashMap::default(),
             discretisations: FxHashMap::default(),
             factorised: FxHashMap::default(),
             worst: None,
@@ -178,7 +176,7 @@ impl Solver for ExactSolver {
             self.solve_block(members, &mut progress)?;
         }
         let terms = progress.solved.iter().flatten().map(|rows| rows.nrows() - self.orders.len()).max().unwrap_or(0);
-        let modes = self.modes(terms, &progress)?;
+        let modes = self.modes(terms, &mut progress)?;
         let count = self.basis.len();
         let mut coefficients: Coefficients = vec![[0.0; 3]; modes.count() * count];
         for (j, rows) in progress.solved.iter().enumerate() {
@@ -190,7 +188,7 @@ impl Solver for ExactSolver {
             }
         }
         let surface = SeparableSurface {
-            modes: Arc::new(modes),
+            modes,
             basis: Arc::clone(&self.basis),
             params: params.to_vec(),
             coefficients: vec![coefficients],
@@ -217,19 +215,12 @@ impl Solver for ExactSolver {
 }
 
 impl ExactSolver {
-    fn modes(&self, terms: usize, progress: &Progress<'_>) -> Result<CorrectedTrial, Diagnostic> {
-        let family = Arc::new(IntegratedLegendre::new(self.order, terms));
-        CorrectedTrial::new(family, terms, progress.range, &progress.functionals).ok_or_else(|| {
-            let message = "with these parameters the constraints do not determine a surface";
-            Diagnostic::new(Code::DependentConstraints, message)
-        })
-    }
-
     /// The number of terms to begin with: enough, in most cases, for the fastest exponential of the block.
     ///
     /// The solutions of `Σ_p b_p G^(p) = 0` vary as e^(κu) with |κ| up to about the largest `|b_p/b_n|^(1/(n-p))`.
     fn first_terms(&self, members: &[usize], progress: &Progress<'_>) -> Result<usize, Diagnostic> {
-        let entries = self.entries_at(progress.params, 1, progress.range)?;
+        let [low, high] = progress.range;
+        let entries = self.entries_at(progress.params, &[0.5 * (low + high)])?;
         let value = |equation: usize, order: usize| -> f64 {
             let of_equation = self.system.entries.iter().zip(&entries).filter(|((place, _), _)| {
                 place.equation == equation && place.order == order && members.contains(&place.unknown)
@@ -244,7 +235,6 @@ impl ExactSolver {
                 fastest = fastest.max(libm::pow(value(equation, order) / leading, exponent));
             }
         }
-        let [low, high] = progress.range;
         let spread = fastest * (high - low) * -libm::log(self.tolerance);
         // Measured over published problems; the tail decides, this only saves attempts.
         let wanted = 8.0 + 1.3 * spread.sqrt();
@@ -258,23 +248,37 @@ impl ExactSolver {
         let mut terms = self.first_terms(members, progress)?;
         let mut before: Option<f64> = None;
         loop {
-            let discretisation = self.discretise(terms, progress)?;
+            let discretisation = self.discretise(terms, terms, progress)?;
+            // One node more interlaces with the others; a force or coefficients in u may hide features between them.
+            let is_smooth = !(self.entries_vary || self.has_force);
+            let between = if is_smooth { terms + 1 } else { 2 * terms + 1 };
+            let mut weights_of: Vec<DMatrix<f64>> = Vec::with_capacity(3);
             let mut rows: Vec<DMatrix<f64>> = vec![DMatrix::zeros(self.orders.len() + terms, 3); members.len()];
             let mut residual: f64 = 0.0;
             for component in 0..if self.system.is_vector { 3 } else { 1 } {
                 let columns = if self.system.is_vector { component..component + 1 } else { 0..3 };
                 let weights =
                     self.solve_component(members, component, columns.clone(), &discretisation, terms, progress)?;
-                let between = self.residual_between(members, component, columns.clone(), &weights, terms, progress)?;
-                residual = residual.max(between);
+                let here = self.residual_at(members, component, columns.clone(), &weights, between, progress)?;
+                residual = residual.max(here);
                 for (member, rows) in rows.iter_mut().enumerate() {
                     let part = weights.rows(member * terms, terms);
                     rows.view_mut((self.orders.len(), columns.start), (terms, columns.len())).copy_from(&part);
                 }
+                weights_of.push(weights);
             }
             // More terms no longer make a difference once the residual is rounding errors.
             let is_noise = residual <= NOISE && before.is_some_and(|before| residual >= 0.5 * before);
-            if residual <= self.tolerance || is_noise {
+            let mut is_resolved = residual <= self.tolerance || is_noise;
+            // Something narrow may lie between all of these nodes.
+            if is_resolved && !is_smooth && between < MANY_NODES {
+                for (component, weights) in weights_of.iter().enumerate() {
+                    let columns = if self.system.is_vector { component..component + 1 } else { 0..3 };
+                    let here = self.residual_at(members, component, columns, weights, MANY_NODES, progress)?;
+                    is_resolved &= here <= NOISE;
+                }
+            }
+            if is_resolved {
                 for (&j, mut rows) in members.iter().zip(rows) {
                     rows.rows_mut(0, self.orders.len()).copy_from(&self.stated(j, progress));
                     if let Some(slot) = progress.solved.get_mut(j) {
@@ -352,20 +356,19 @@ impl ExactSolver {
         factorised.solve(&right).ok_or_else(|| self.resonant(f64::INFINITY, j))
     }
 
-    /// The largest residual of a block's equations between the nodes they were imposed at, relative to their largest
-    /// term: where it is small, the solution is resolved.
-    fn residual_between(
+    /// The largest residual of a block's equations at `nodes` others than they were imposed at, relative to their
+    /// largest term: where it is small, the solution is resolved.
+    fn residual_at(
         &self,
         members: &[usize],
         component: usize,
         columns: std::ops::Range<usize>,
         weights: &DMatrix<f64>,
-        terms: usize,
+        nodes: usize,
         progress: &mut Progress<'_>,
     ) -> Result<f64, Diagnostic> {
-        // One node more interlaces with the others; a force or coefficients in u may hide features between them.
-        let nodes = if self.entries_vary || self.has_force { 2 * terms + 1 } else { terms + 1 };
-        let discretisation = self.discretise(nodes, progress)?;
+        let terms = weights.nrows() / members.len().max(1);
+        let discretisation = self.discretise(nodes, terms, progress)?;
         let (block, right, largest) = self.block_of(members, component, &discretisation, nodes, progress);
         let cardinal = discretisation.tables.cardinal;
         let trial = cardinal..cardinal + terms;
@@ -442,43 +445,6 @@ impl ExactSolver {
             }
             progress.boundary.get((condition * self.basis_size + j) * 3 + axis).copied().unwrap_or(f64::NAN)
         })
-    }
-
-    /// Nodes for `terms` unknowns, with everything evaluated there.
-    fn discretise(&self, terms: usize, progress: &mut Progress<'_>) -> Result<Arc<Discretisation>, Diagnostic> {
-        // Functions solved before may have more terms than this block will.
-        let most = progress.solved.iter().flatten().map(|rows| rows.nrows() - self.orders.len()).max().unwrap_or(0);
-        let wanted = terms.max(most);
-        if let Some(known) = progress.discretisations.get(&terms)
-            && known.tables.values.first().is_some_and(|table| table.ncols() >= wanted + self.orders.len())
-        {
-            return Ok(Arc::clone(known));
-        }
-        let modes = self.modes(wanted, progress)?;
-        let u = nodes(NodeKind::Gauss, terms, progress.range);
-        let table = |order: usize| {
-            let rows: Vec<f64> = u.iter().flat_map(|&u| modes.derivatives(order, u)).collect();
-            DMatrix::from_row_slice(u.len(), modes.count(), &rows)
-        };
-        let tables = Tables { values: (0..=self.order).map(table).collect(), cardinal: self.orders.len() };
-        let entries = self.entries_at(progress.params, terms, progress.range)?;
-        let forces = if self.has_force { evaluate(&*self.force_values, progress.params, &u)? } else { Vec::new() };
-        if forces.iter().chain(entries.iter().flatten()).any(|value| !value.is_finite()) {
-            let message = "a coefficient or the force of the equation is not finite inside the domain";
-            return Err(Diagnostic::new(Code::DataNotFinite, message));
-        }
-        let forces = forces.chunks(u.len().max(1)).map(<[f64]>::to_vec).collect();
-        let discretisation = Arc::new(Discretisation { tables, entries, forces });
-        progress.discretisations.insert(terms, Arc::clone(&discretisation));
-        Ok(discretisation)
-    }
-
-    /// The entries of the system at the nodes, or at one node if they do not depend on u.
-    fn entries_at(&self, params: &[f64], terms: usize, range: [f64; 2]) -> Result<Vec<Vec<f64>>, Diagnostic> {
-        let u = nodes(NodeKind::Gauss, terms, range);
-        let at = if self.entries_vary { &u[..] } else { u.get(..1).unwrap_or(&[]) };
-        let entries = evaluate(&*self.entry_values, params, at)?;
-        Ok(entries.chunks(at.len().max(1)).map(<[f64]>::to_vec).collect())
     }
 
     fn name(&self, j: usize) -> &str {

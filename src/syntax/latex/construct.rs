@@ -95,6 +95,13 @@ impl<'a> Block<'a> {
         };
         let word = self.word(&open)?;
         let place = Span::new(command.span.start, self.at);
+        // With a subscript or a prime it is a name, like `sin_x` in the plain notation.
+        if self
+            .peek()
+            .is_some_and(|next| next.span.start == self.at && ["_", "'", "′"].iter().any(|c| next.is_symbol(c)))
+        {
+            return self.letter(&word, place);
+        }
         if let Some(function) = commands::upright_function(&word) {
             self.spelling.put(function, place, Piece::Word);
             self.function = Some(place);

@@ -47,6 +47,37 @@ fn fmt_of_a_faulty_file_changes_no_file() {
 }
 
 #[test]
+fn read_only_file_is_neither_laid_out_nor_overwritten() {
+    let folder = Folder::new();
+    let before = "at u=0: S=[cos v,0,0],∂S/∂u=0\nat u = 1: S=0, ∂S/∂u =0";
+    let spec = folder.spec(before);
+    let mut permissions = std::fs::metadata(&spec).expect("the file").permissions();
+    permissions.set_readonly(true);
+    std::fs::set_permissions(&spec, permissions).expect("its owner may");
+    for command in [&["fmt", &spec][..], &["mesh", &spec, "-o", &spec.replace("spec.trim", "out.obj")]] {
+        std::fs::copy(&spec, folder.path("out.obj")).expect("a file that is read-only as well");
+        let output = trimline(command);
+        assert_eq!(status(&output), 5, "{command:?}");
+        assert!(text(&output.stderr).contains("the file is read-only"), "{}", text(&output.stderr));
+        for file in [folder.path("spec.trim"), folder.path("out.obj")] {
+            assert_eq!(std::fs::read_to_string(file).expect("the file"), before);
+        }
+        std::fs::remove_file(folder.path("out.obj")).expect("the folder is not read-only");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn file_that_is_written_anew_keeps_its_permissions() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = Folder::new();
+    let spec = folder.spec("at u=0: S=[cos v,0,0],∂S/∂u=0\nat u = 1: S=0, ∂S/∂u =0");
+    std::fs::set_permissions(&spec, std::fs::Permissions::from_mode(0o640)).expect("its owner may");
+    assert_eq!(status(&trimline(&["fmt", &spec])), 0);
+    assert_eq!(std::fs::metadata(&spec).expect("the file").permissions().mode() & 0o777, 0o640);
+}
+
+#[test]
 fn check_explains_what_it_understood_in_both_notations() {
     let folder = Folder::new();
     let spec =
