@@ -108,6 +108,38 @@ def check(folder, name, spec, time, degree, tolerance, counts):
         print(f"{name}.{key}: {shape[0]} x {shape[1]} points, {kind}, read back to {error:.1e}, off the surface by {deviation:.1e}")
 
 
+def seams(folder):
+    """Four patches inside four curves, and a ring of two: OpenCASCADE finds edges shared, which is one shell."""
+    command = ["cargo", "run", "--quiet", "--example", "bspline_nets", "--", str(folder)]
+    subprocess.run(command, cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
+    # Of four patches in a square 4 of 12 edges are seams; of two in a ring 2 of 6.
+    for name, faces, shared, free in [("square", 4, 4, 8), ("vase", 2, 2, 4)]:
+        gmsh.clear()
+        gmsh.model.occ.importShapes(str(folder / f"{name}.step"), highestDimOnly=False)
+        gmsh.model.occ.synchronize()
+        curves = [set(gmsh.model.getAdjacencies(1, tag)[0]) for _, tag in gmsh.model.getEntities(1)]
+        counts = [len(gmsh.model.getEntities(2)), sum(len(c) == 2 for c in curves), sum(len(c) == 1 for c in curves)]
+        assert counts == [faces, shared, free], (name, "faces, seams, free edges", counts)
+        reached = {min(curves[0])}
+        for _ in curves:
+            reached |= set().union(*(c for c in curves if c & reached))
+        assert len(reached) == faces, (name, "faces in one shell", len(reached))
+        print(f"{name}.step: {faces} faces in one shell, {shared} seams, {free} free edges")
+
+
+def fit_by_their_own_evaluation(folder):
+    """The fit of Eq. (19) at t = 0.2, evaluated by OpenCASCADE, against the surface itself."""
+    spec, path = ROOT / "examples/eq19.trim", folder / "confirmed.step"
+    run("fit", spec, "-o", path, "--time", 0.2, "--tolerance", 1e-6)
+    theirs, bounds, _, _ = gmsh_surface(path)
+    grid = [numpy.linspace(low, high, count) for (low, high), count in zip(bounds, (61, 131))]
+    points = [(float(u), float(v)) for u in grid[0] for v in grid[1]]
+    found = numpy.array([theirs(u, v) for u, v in points])
+    deviation = numpy.linalg.norm(found - eval_points(spec, 0.2, points), axis=1).max()
+    assert 1e-8 < deviation <= 1e-6, deviation
+    print(f"eq19 to 1e-6: off by {deviation:.2e} at {len(points)} points, by OpenCASCADE's evaluation")
+
+
 def main():
     gmsh.initialize(["", "-v", "1"])
     with tempfile.TemporaryDirectory() as name:
@@ -119,6 +151,8 @@ def main():
             check(folder, f"eq19_{degree}", ROOT / "examples/eq19.trim", 0.2, degree, 1e-6, [2, 3, 1])
             check(folder, f"open_{degree}", folder / "open.trim", 0, degree, 1e-7, [4, 4, 1])
         check(folder, "cap", folder / "cap.trim", 0, 3, 1e-5, None)
+        seams(folder)
+        fit_by_their_own_evaluation(folder)
     gmsh.finalize()
     print("CAD files: all read back")
 
