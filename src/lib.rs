@@ -35,6 +35,7 @@
 //! Faults are [`diagnostic::Diagnostic`]s with a stable code and a place. The library never panics on any input.
 
 pub mod blend;
+pub mod curves;
 pub mod decompose;
 pub mod diagnostic;
 pub mod emit;

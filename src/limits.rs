@@ -9,6 +9,10 @@
 pub struct Limits {
     /// Bytes of source text.
     pub source_bytes: usize,
+    /// Bytes of one data file.
+    pub file_bytes: usize,
+    /// Points of one measured curve.
+    pub curve_points: usize,
     /// Bracket and call nesting in the source text. Guards the parser's stack.
     pub nesting: usize,
     /// Names declared in one document.
@@ -53,6 +57,8 @@ impl Default for Limits {
     fn default() -> Self {
         Limits {
             source_bytes: 1 << 20,
+            file_bytes: 16 << 20,
+            curve_points: 20_000,
             nesting: 128,
             names: 4096,
             patches: 256,
@@ -81,6 +87,8 @@ impl Limits {
     pub fn named(&mut self) -> Vec<(&'static str, &mut usize)> {
         vec![
             ("source-bytes", &mut self.source_bytes),
+            ("file-bytes", &mut self.file_bytes),
+            ("curve-points", &mut self.curve_points),
             ("nesting", &mut self.nesting),
             ("names", &mut self.names),
             ("patches", &mut self.patches),

@@ -86,12 +86,26 @@ const LARGE_RESIDUAL: f64 = 0.1;
 const LARGEST_EXACT_RESIDUAL: f64 = 1e-6;
 
 impl Blend {
-    /// Compiles a document; its single patch, if it names none, is called `name`.
+    /// Compiles a document that names no data files; its single patch, if it names none, is called like the source.
     ///
     /// # Errors
     /// Everything found wrong with the text, or the first thing wrong with the problem.
     pub fn compile(source: &Source, options: &Options) -> Result<Blend, Diagnostics> {
-        let document = syntax::parse(source, &options.limits)?;
+        Blend::compile_with(source, |_| Err("no files are given".to_owned()), options)
+    }
+
+    /// Compiles a document; `read` gives the bytes of the data files it names, or says in a few words why not:
+    /// `|path| std::fs::read(folder.join(path)).map_err(|error| error.to_string())`.
+    ///
+    /// # Errors
+    /// As [`Blend::compile`], and what [`Document::attach_files`](syntax::Document::attach_files) finds.
+    pub fn compile_with(
+        source: &Source,
+        read: impl FnMut(&str) -> Result<Vec<u8>, String>,
+        options: &Options,
+    ) -> Result<Blend, Diagnostics> {
+        let mut document = syntax::parse(source, &options.limits)?;
+        document.attach_files(&options.limits, read)?;
         let name = source.name.trim_end_matches(".trim");
         Blend::new(resolve(&document, name, &options.limits)?, options).map_err(|finding| vec![finding])
     }

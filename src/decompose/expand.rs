@@ -92,6 +92,14 @@ fn expand_node(
             let value = graph.call(function, &expanded);
             Ok(factor(graph, value))
         }
+        Node::Spline(call, arguments) => {
+            let mut expanded = Vec::with_capacity(arguments.len());
+            for argument in arguments.iter() {
+                expanded.push(assemble(graph, &of(argument)));
+            }
+            let value = graph.spline(call, &expanded);
+            Ok(factor(graph, value))
+        }
         _ => Ok(factor(graph, id)),
     }
 }

@@ -108,6 +108,8 @@ codes! {
     DegenerateBoundary = "W0219", Warning, Source, "A trimline is a point, or a tangent has no length.";
     PeriodMissed = "W0221", Warning, Source, "A domain almost ends where its boundary data repeat.";
     ShapesDiffer = "E0220", Error, Source, "Two shapes do not correspond, so that there is none between them.";
+    DataFileMissing = "E0221", Error, Source, "A data file cannot be read.";
+    BadDataFile = "E0222", Error, Source, "A data file does not hold what it should.";
     NotDifferentiable = "E0301", Error, Source, "A derivative is needed of a function that has none.";
     DataNotFinite = "E0302", Error, Source, "Boundary data are not finite inside the domain.";
     PointOutsideDomain = "E0303", Error, Source, "A point or an instant lies outside the domain.";
@@ -148,6 +150,7 @@ codes! {
     LoopOpen = "E0707", Error, Source, "A loop of edges does not close.";
     ApexNotSmooth = "W0708", Warning, Source, "A patch is not smooth at its apex.";
     NotSeparable = "E0709", Error, Unsupported, "A surface is not a sum of products.";
+    NoFormula = "E0710", Error, Unsupported, "A function has no formula in another language.";
     LimitReached = "E0901", Error, Limit, "A limit was reached.";
     HostUnsupported = "N0902", Note, Host, "The machine lacks something; the work goes on another way.";
     OutputFailed = "E0903", Error, Output, "Writing a result failed.";

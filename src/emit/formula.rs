@@ -57,6 +57,13 @@ impl Formula {
             return Ok(Formula::zero(name, surface.instant, domain));
         }
         let program = surface.basis.program(&[Derivative::NONE, Derivative::new(0, 1, 0)])?;
+        if let Some(call) = program.splines().first() {
+            let message =
+                format!("`{}` comes from a data file, and has no formula to be written out", call.spline.name());
+            return Err(Diagnostic::new(Code::NoFormula, message).hint(
+                "`--method fourier --remainder off` writes it as a Fourier series; `mesh` and `fit` write the surface",
+            ));
+        }
         let sizes = basis_sizes(surface, domain)?;
         let amplitudes = [amplitudes(surface, domain.u, 0, &sizes)?, amplitudes(surface, domain.u, 1, &sizes)?];
         let names = identifiers(problem.graph.symbols());

@@ -49,6 +49,8 @@ pub(super) fn statements(formula: &Formula, spelling: &Spelling) -> Statements {
             Op::Div(a, b) => Ok(format!("{} / {}", of(*a), of(*b))),
             Op::Sqrt(a) => Ok(filled(spelling.sqrt, &formula.name, &[of(*a)])),
             Op::Call1(function, a) => Ok(filled((spelling.function)(*function), &formula.name, &[of(*a)])),
+            // Refused by `Formula::new`.
+            Op::Spline1(..) | Op::Spline2(..) => Err("nan".to_owned()),
             Op::Call2(function, a, b) => Ok(filled((spelling.function)(*function), &formula.name, &[of(*a), of(*b)])),
         };
         values.push(text.map_or_else(

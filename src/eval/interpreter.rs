@@ -10,7 +10,7 @@
 
 use std::sync::Arc;
 
-use crate::expr::{Function, Value, Variable};
+use crate::expr::{Function, SplineCall, Value, Variable};
 use crate::kernels::elementary::{self, Cos, Cosh, Exp, Ln, Sin, SinCos, Sinh, SinhCosh, Tan, Tanh};
 use crate::kernels::{InstructionSet, Rows, canonical, multiversion};
 
@@ -66,7 +66,8 @@ impl Evaluator for Interpreter {
                 (*row, *output) = std::mem::take(output).split_at_mut_checked(u.len()).unwrap_or_default();
             }
             registers.iter_mut().for_each(|register| shorten(register, u.len()));
-            run(set, self.schedule.steps(), &uniform, Samples { u, v, t }, &mut rows);
+            let splines = self.program.splines();
+            run(set, self.schedule.steps(), (&uniform, splines), Samples { u, v, t }, &mut rows);
         }
         Ok(())
     }
@@ -81,12 +82,18 @@ fn shorten(row: &mut &mut [f64], length: usize) {
 
 multiversion! {
     /// Runs every step on one block.
-    fn run(steps: &[Step], uniform: &[f64], samples: Samples<'_>, rows: &mut [&mut [f64]]) {
+    fn run(
+        steps: &[Step],
+        numbers: (&[f64], &[SplineCall]),
+        samples: Samples<'_>,
+        rows: &mut [&mut [f64]],
+    ) {
+        let (uniform, splines) = numbers;
         for step in steps {
             match *step {
                 Step::Compute { target, op } => {
                     let row = taken(rows, target);
-                    compute(op.map(|operand| block(operand, uniform, samples, rows)), row);
+                    compute(op.map(|operand| block(operand, uniform, samples, rows)), splines, row);
                     give_back(rows, target, row);
                 }
                 Step::Accumulate { target, sum, factors, is_subtracted } => {
@@ -149,6 +156,8 @@ fn uniform_values(program: &Program, params: &[f64]) -> Vec<f64> {
             Op::Sqrt(a) => a.sqrt(),
             Op::Call1(function, a) => function.value(&[a]),
             Op::Call2(function, a, b) => function.value(&[a, b]),
+            Op::Spline1(index, a) => spline(program.splines(), index)(a, 0.0),
+            Op::Spline2(index, a, b) => spline(program.splines(), index)(a, b),
         };
         values.push(value);
     }
@@ -157,7 +166,7 @@ fn uniform_values(program: &Program, params: &[f64]) -> Vec<f64> {
 
 /// One op over a block.
 #[inline(always)]
-fn compute(op: Op<Block<'_>>, target: &mut [f64]) {
+fn compute(op: Op<Block<'_>>, splines: &[SplineCall], target: &mut [f64]) {
     match op {
         // Read in place, never computed: see `Schedule`.
         Op::Constant(_) | Op::Parameter(_) | Op::Variable(_) => {}
@@ -170,7 +179,18 @@ fn compute(op: Op<Block<'_>>, target: &mut [f64]) {
         Op::Sqrt(a) => unary(target, a, f64::sqrt),
         Op::Call1(function, a) => call1(function, target, a),
         Op::Call2(function, a, b) => call2(function, target, a, b),
+        Op::Spline1(index, a) => {
+            let value = spline(splines, index);
+            unary(target, a, |a| value(a, 0.0));
+        }
+        Op::Spline2(index, a, b) => binary(target, a, b, spline(splines, index)),
     }
+}
+
+/// A spline of the program as a function.
+fn spline(splines: &[SplineCall], index: usize) -> impl Fn(f64, f64) -> f64 {
+    let call = splines.get(index).expect("a program has the splines that its ops name");
+    |a, b| call.value(a, b)
 }
 
 /// A function of one argument: by its kernel if it has one, else lane by lane.

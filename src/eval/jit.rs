@@ -21,7 +21,7 @@ use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
 use cranelift_jit::{JITBuilder, JITModule};
 use cranelift_module::{FuncId, Module, ModuleError, default_libcall_names};
 
-use crate::expr::{Function, Variable};
+use crate::expr::{Function, SplineCall, Variable};
 
 use super::program::{Op, OpId, Program};
 use super::{EvalError, Evaluator, Samples, checked_points};
@@ -101,7 +101,8 @@ impl Evaluator for Jit {
         let Samples { u, v, t } = samples;
         // SAFETY: `checked_points` established that u, v and t hold `points` doubles, `params` every index the
         // program reads, and `values` one row of `points` for each output; the code accesses no others (see
-        // `Emitter`), needs no alignment beyond a double's, and `&self` keeps its pages mapped. `values` is
+        // `Emitter`), needs no alignment beyond a double's, and `&self` keeps its pages mapped. The splines whose
+        // addresses stand in the code belong to `self.program`, which nothing changes or drops meanwhile. `values` is
         // borrowed exclusively, so no slice read here is written by anyone.
         unsafe {
             (self.entry)(points, u.as_ptr(), v.as_ptr(), t.as_ptr(), params.as_ptr(), values.as_mut_ptr(), points);
@@ -151,8 +152,9 @@ fn define(module: &mut JITModule, program: &Program) -> Result<FuncId, ModuleErr
     let mut builder = FunctionBuilder::new(&mut context.func, &mut builder_context);
     let unary = builder.import_signature(signature(convention, &[types::F64], &[types::F64]));
     let binary = builder.import_signature(signature(convention, &[types::F64; 2], &[types::F64]));
+    let splines = builder.import_signature(signature(convention, &[pointer, types::F64, types::F64], &[types::F64]));
     let values = Vec::with_capacity(program.ops().len());
-    Emitter { builder: &mut builder, program, pointer, unary, binary, values }.function();
+    Emitter { builder: &mut builder, program, pointer, unary, binary, splines, values }.function();
     builder.seal_all_blocks();
     builder.finalize(module.target_config());
     module.define_function(id, &mut context)?;
@@ -191,6 +193,7 @@ struct Emitter<'a, 'b> {
     pointer: Type,
     unary: SigRef,
     binary: SigRef,
+    splines: SigRef,
     /// What holds each op emitted so far.
     values: Vec<Value>,
 }
@@ -267,6 +270,11 @@ impl Emitter<'_, '_> {
             Op::Sqrt(a) => self.builder.ins().sqrt(a),
             Op::Call1(function, a) => self.call(function, &[a]),
             Op::Call2(function, a, b) => self.call(function, &[a, b]),
+            Op::Spline1(index, a) => {
+                let zero = self.builder.ins().f64const(0.0);
+                self.spline(index, [a, zero])
+            }
+            Op::Spline2(index, a, b) => self.spline(index, [a, b]),
         };
         self.values.push(value);
     }
@@ -283,6 +291,17 @@ impl Emitter<'_, '_> {
         let address = self.builder.ins().iconst(self.pointer, address.cast_signed() as i64);
         let call = self.builder.ins().call_indirect(signature, address, arguments);
         *self.builder.inst_results(call).first().expect("a function of the table returns one value")
+    }
+
+    /// Calls a spline of the program, whose data the evaluator keeps where they are.
+    fn spline(&mut self, index: usize, [a, b]: [Value; 2]) -> Value {
+        let data: *const SplineCall =
+            self.program.splines().get(index).expect("a program has the splines its ops name");
+        let data = self.builder.ins().iconst(self.pointer, (data as usize).cast_signed() as i64);
+        let address = (shims::spline as extern "C" fn(&SplineCall, f64, f64) -> f64) as usize;
+        let address = self.builder.ins().iconst(self.pointer, address.cast_signed() as i64);
+        let call = self.builder.ins().call_indirect(self.splines, address, &[data, a, b]);
+        *self.builder.inst_results(call).first().expect("a spline returns one value")
     }
 
     fn value(&self, id: OpId) -> Value {

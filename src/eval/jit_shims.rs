@@ -3,7 +3,7 @@
 //! The table's own functions have Rust's calling convention, which is not specified; each shim calls one of them.
 //! A function that is added to the table and not here does not compile.
 
-use crate::expr::Function;
+use crate::expr::{Function, SplineCall};
 
 /// A function of the table, callable from generated code.
 #[derive(Clone, Copy)]
@@ -37,6 +37,11 @@ macro_rules! shims {
 shims! {
     unary: Sin Cos Tan Cot Sec Csc Asin Acos Atan Sinh Cosh Tanh Asinh Acosh Atanh Exp Ln Log10 Cbrt Abs Sign Floor;
     binary: Atan2 Min Max Pow;
+}
+
+/// The value of a spline, callable from generated code, which passes the address of one of its program's.
+pub(super) extern "C" fn spline(call: &SplineCall, first: f64, second: f64) -> f64 {
+    call.value(first, second)
 }
 
 #[cfg(test)]

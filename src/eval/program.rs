@@ -16,7 +16,7 @@ use std::fmt;
 
 use rustc_hash::FxHashMap;
 
-use crate::expr::{ExprId, Function, Graph, Node, Number, Value, Variable};
+use crate::expr::{ExprId, Function, Graph, Node, Number, SplineCall, Value, Variable};
 
 /// Integer exponents of at most this magnitude become multiplications; larger ones call `pow`.
 ///
@@ -60,6 +60,10 @@ pub enum Op<Operand = OpId> {
     Call1(Function, Operand),
     /// A function of two arguments.
     Call2(Function, Operand, Operand),
+    /// The spline of [`Program::splines`] at this index, of one argument.
+    Spline1(usize, Operand),
+    /// The spline at this index, of two arguments.
+    Spline2(usize, Operand, Operand),
 }
 
 impl<Operand: Copy> Op<Operand> {
@@ -67,8 +71,9 @@ impl<Operand: Copy> Op<Operand> {
     pub fn operands(self) -> impl DoubleEndedIterator<Item = Operand> {
         let (first, second) = match self {
             Op::Constant(_) | Op::Parameter(_) | Op::Variable(_) => (None, None),
-            Op::Neg(a) | Op::Sqrt(a) | Op::Call1(_, a) => (Some(a), None),
-            Op::Add(a, b) | Op::Sub(a, b) | Op::Mul(a, b) | Op::Div(a, b) | Op::Call2(_, a, b) => (Some(a), Some(b)),
+            Op::Neg(a) | Op::Sqrt(a) | Op::Call1(_, a) | Op::Spline1(_, a) => (Some(a), None),
+            Op::Add(a, b) | Op::Sub(a, b) | Op::Mul(a, b) | Op::Div(a, b) => (Some(a), Some(b)),
+            Op::Call2(_, a, b) | Op::Spline2(_, a, b) => (Some(a), Some(b)),
         };
         first.into_iter().chain(second)
     }
@@ -87,6 +92,8 @@ impl<Operand: Copy> Op<Operand> {
             Op::Sqrt(a) => Op::Sqrt(of(a)),
             Op::Call1(function, a) => Op::Call1(function, of(a)),
             Op::Call2(function, a, b) => Op::Call2(function, of(a), of(b)),
+            Op::Spline1(index, a) => Op::Spline1(index, of(a)),
+            Op::Spline2(index, a, b) => Op::Spline2(index, of(a), of(b)),
         }
     }
 }
@@ -99,6 +106,7 @@ pub struct Program {
     uniform: usize,
     outputs: Vec<OpId>,
     symbols: usize,
+    splines: Vec<SplineCall>,
 }
 
 impl Program {
@@ -114,13 +122,14 @@ impl Program {
             known: FxHashMap::default(),
             lowered: FxHashMap::default(),
             magnitudes: FxHashMap::default(),
+            splines: Vec::new(),
         };
         for id in graph.reachable(outputs) {
             let op = lowering.lower(id);
             lowering.lowered.insert(id, op);
         }
         let outputs = outputs.iter().map(|id| lowering.of(id)).collect();
-        schedule(&lowering.ops, outputs)
+        Program { splines: lowering.splines, ..schedule(&lowering.ops, outputs) }
     }
 
     /// Every op, uniform ones first; the position of an op is its [`OpId`].
@@ -153,6 +162,12 @@ impl Program {
         self.outputs.len()
     }
 
+    /// The splines that ops name by their index.
+    #[must_use]
+    pub fn splines(&self) -> &[SplineCall] {
+        &self.splines
+    }
+
     /// The number of parameter values an evaluation needs: one more than the largest index in use.
     #[must_use]
     pub fn symbols(&self) -> usize {
@@ -183,6 +198,8 @@ impl fmt::Display for Program {
                 Op::Sqrt(a) => writeln!(f, "sqrt(r{a})"),
                 Op::Call1(function, a) => writeln!(f, "{}(r{a})", function.row().name),
                 Op::Call2(function, a, b) => writeln!(f, "{}(r{a}, r{b})", function.row().name),
+                Op::Spline1(index, a) => writeln!(f, "spline {index}(r{a})"),
+                Op::Spline2(index, a, b) => writeln!(f, "spline {index}(r{a}, r{b})"),
             }?;
         }
         write!(f, "outputs:")?;
@@ -192,6 +209,9 @@ impl fmt::Display for Program {
         writeln!(f)
     }
 }
+
+/// Kinds of ops from here on are splines, one each; functions of the table are far fewer.
+const SPLINES: u32 = 1 << 16;
 
 /// What two ops must share to be one op.
 type Key = (u32, u64, u64);
@@ -212,6 +232,8 @@ fn key(op: Op) -> Key {
         Op::Sqrt(a) => (8, (id(a), 0)),
         Op::Call1(function, a) => (9 + function as u32, (id(a), 0)),
         Op::Call2(function, a, b) => (9 + function as u32, (id(a), id(b))),
+        Op::Spline1(index, a) => (SPLINES + index as u32, (id(a), 0)),
+        Op::Spline2(index, a, b) => (SPLINES + index as u32, (id(a), id(b))),
     };
     (kind, first, second)
 }
@@ -223,6 +245,7 @@ struct Lowering<'a> {
     lowered: FxHashMap<ExprId, OpId>,
     /// Products with a negative number in front, without its sign.
     magnitudes: FxHashMap<ExprId, OpId>,
+    splines: Vec<SplineCall>,
 }
 
 impl Lowering<'_> {
@@ -260,6 +283,18 @@ impl Lowering<'_> {
                 (Value::Binary(_), [a, b]) => self.emit(Op::Call2(*function, self.of(a), self.of(b))),
                 _ => self.emit(Op::Constant(f64::NAN)),
             },
+            Node::Spline(call, arguments) => {
+                let known = self.splines.iter().position(|other| other == call);
+                let index = known.unwrap_or_else(|| {
+                    self.splines.push(call.clone());
+                    self.splines.len() - 1
+                });
+                match &**arguments {
+                    [a] => self.emit(Op::Spline1(index, self.of(a))),
+                    [a, b] => self.emit(Op::Spline2(index, self.of(a), self.of(b))),
+                    _ => self.emit(Op::Constant(f64::NAN)),
+                }
+            }
         }
     }
 
@@ -381,5 +416,6 @@ fn schedule(ops: &[Op], outputs: Vec<OpId>) -> Program {
         uniform: uniform.len(),
         outputs: outputs.into_iter().map(renumbered).collect(),
         ops: kept,
+        splines: Vec::new(),
     }
 }

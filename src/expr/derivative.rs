@@ -104,15 +104,22 @@ impl fmt::Display for Derivative {
     }
 }
 
-/// The function that stopped a differentiation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct NotDifferentiable {
+/// What stopped a differentiation.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum NotDifferentiable {
     /// A function without a derivative, such as `abs`.
-    pub function: Function,
+    Function(Function),
+    /// A spline whose pieces meet less smoothly.
+    Spline {
+        /// What the user calls it.
+        name: String,
+        /// The highest derivative it has.
+        highest: usize,
+    },
 }
 
 /// Why a bounded differentiation ended without a result.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub enum DerivativeFault {
     /// There is no derivative.
     NotDifferentiable(NotDifferentiable),
@@ -125,10 +132,18 @@ impl DerivativeFault {
     #[must_use]
     pub fn to_diagnostic(self, orders: Derivative, allowed: usize) -> Diagnostic {
         match self {
-            DerivativeFault::NotDifferentiable(NotDifferentiable { function }) => {
+            DerivativeFault::NotDifferentiable(NotDifferentiable::Function(function)) => {
                 let name = function.row().name;
                 let message = format!("`{name}` has no derivative, and its derivative `{orders}` is needed");
                 Diagnostic::new(Code::NotDifferentiable, message).hint("use a smooth function in its place")
+            }
+            DerivativeFault::NotDifferentiable(NotDifferentiable::Spline { name, highest }) => {
+                let message = format!(
+                    "`{name}` is made of polynomials that fit together up to derivative {highest}, and its derivative \
+                     `{orders}` is needed"
+                );
+                Diagnostic::new(Code::NotDifferentiable, message)
+                    .hint("`solve fourier` needs no derivatives of boundary data; or take an equation of lower order")
             }
             DerivativeFault::TooLarge => {
                 let message =
@@ -244,7 +259,22 @@ impl Graph {
                     let derivative = inner(argument);
                     if !self.is_zero(derivative) {
                         let partial =
-                            function.partial(self, &arguments, index).ok_or(NotDifferentiable { function })?;
+                            function.partial(self, &arguments, index).ok_or(NotDifferentiable::Function(function))?;
+                        terms.push(self.product([partial, derivative]));
+                    }
+                }
+                Ok(self.sum(terms))
+            }
+            Node::Spline(call, arguments) => {
+                let mut terms = Vec::with_capacity(arguments.len());
+                for (index, argument) in arguments.iter().enumerate() {
+                    let derivative = inner(argument);
+                    if !self.is_zero(derivative) {
+                        let name = call.spline.name();
+                        let partial = call
+                            .differentiated(index)
+                            .map_err(|highest| NotDifferentiable::Spline { name: name.to_owned(), highest })?;
+                        let partial = self.spline(partial, &arguments);
                         terms.push(self.product([partial, derivative]));
                     }
                 }

@@ -5,8 +5,9 @@ use num_traits::{One, Signed};
 
 use super::function::Function;
 use super::graph::{Constant, ExprId, Graph, Node};
-use super::name::{greek_letter, unicode_name};
+use super::name::{latex_name, unicode_name};
 use super::number::Number;
+use super::spline::SplineCall;
 
 /// How an expression is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -159,7 +160,44 @@ impl Writer<'_> {
                 pieces.push(Piece::Text(self.brackets().1));
                 (pieces, Strength::Atom)
             }
+            Node::Spline(call, arguments) => self.spline(call, arguments),
         }
+    }
+
+    /// `C_x(v)`, `∂²C_x(v)/∂v²`
+    fn spline(&self, call: &SplineCall, arguments: &[ExprId]) -> Pieces {
+        let (open, close) = self.brackets();
+        let mut pieces = vec![Piece::Owned(self.notation.name(call.spline.name())), Piece::Text(open)];
+        for (index, &argument) in arguments.iter().enumerate() {
+            pieces.extend((index > 0).then_some(Piece::Text(", ")));
+            pieces.push(Piece::Expr(argument, Strength::Sum));
+        }
+        pieces.push(Piece::Text(close));
+        let total: usize = call.orders.iter().sum();
+        if total == 0 {
+            return (pieces, Strength::Atom);
+        }
+        let (d, bar, end) = match self.notation {
+            Notation::Ascii => ("d", "/", ""),
+            Notation::Unicode => ("∂", "/", ""),
+            Notation::Latex => (r"\partial ", "}{", "}"),
+        };
+        let power = |order: usize| match (order, self.notation) {
+            (1, _) => String::new(),
+            (_, Notation::Ascii) => order.to_string(),
+            (_, Notation::Unicode) => superscripts(order),
+            (_, Notation::Latex) => format!("^{{{order}}}"),
+        };
+        let begin = match self.notation {
+            Notation::Latex => format!(r"\frac{{\partial{} ", power(total)),
+            _ => format!("{d}{}", power(total)),
+        };
+        let below = call.orders.iter().enumerate().filter(|(_, order)| **order > 0);
+        let below = below.map(|(index, order)| format!("{d}{}{}", call.spline.argument(index), power(*order)));
+        pieces.insert(0, Piece::Owned(begin));
+        pieces.push(Piece::Owned(format!("{bar}{}{end}", below.collect::<Vec<_>>().join(""))));
+        // Behind `∂v` a power would be one of v.
+        (pieces, Strength::Power)
     }
 
     fn number(&self, number: Number) -> Pieces {
@@ -333,6 +371,7 @@ impl Writer<'_> {
             Node::Sum(_) | Node::Product(_) => true,
             Node::Power(base, _) => match self.graph.node(*base) {
                 Node::Symbol(_) | Node::Variable(_) | Node::Constant(_) => false,
+                Node::Spline(call, _) => call.orders != [0, 0],
                 Node::Call(function, _) => *function == Function::Exp && self.notation != Notation::Ascii,
                 _ => true,
             },
@@ -348,7 +387,7 @@ impl Writer<'_> {
             Node::Symbol(_) => 2,
             Node::Variable(_) => 3,
             Node::Call(Function::Exp, _) => 4,
-            Node::Call(..) => 5,
+            Node::Call(..) | Node::Spline(..) => 5,
             Node::Power(base, _) => match self.graph.node(*base) {
                 Node::Power(..) => 6,
                 _ => self.rank_of_base(*base),
@@ -361,7 +400,7 @@ impl Writer<'_> {
         match self.graph.node(base) {
             Node::Symbol(_) => 2,
             Node::Variable(_) => 3,
-            Node::Call(..) => 5,
+            Node::Call(..) | Node::Spline(..) => 5,
             _ => 6,
         }
     }
@@ -445,23 +484,4 @@ fn superscript(digit: char) -> char {
         '3' => '³',
         _ => char::from_u32(u32::from('⁰') + u32::from(digit) - u32::from('0')).unwrap_or(digit),
     }
-}
-
-/// `b1` as `b_{1}`, `beta` as `\beta`, longer names upright.
-fn latex_name(canonical: &str) -> String {
-    let stem_end = canonical.find(|c: char| c.is_ascii_digit() || c == '\'' || c == '_').unwrap_or(canonical.len());
-    let (stem, rest) = canonical.split_at(stem_end);
-    let primes = rest.chars().filter(|c| *c == '\'').count();
-    let subscript: String = rest.chars().filter(|c| !matches!(c, '\'' | '_')).collect();
-    let is_greek = unicode_name(stem).chars().next().and_then(greek_letter).is_some_and(|name| name == stem);
-    let stem = match stem.chars().count() {
-        1 => stem.to_owned(),
-        // TeX has no command for it.
-        _ if stem == "omicron" => "ο".to_owned(),
-        // `\pi` is always the number.
-        _ if is_greek && stem != "pi" => format!(r"\{stem}"),
-        _ => format!(r"\mathrm{{{stem}}}"),
-    };
-    let subscript = if subscript.is_empty() { String::new() } else { format!("_{{{subscript}}}") };
-    format!("{stem}{}{subscript}", "'".repeat(primes))
 }

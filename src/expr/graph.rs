@@ -9,6 +9,7 @@ use rustc_hash::{FxBuildHasher, FxHashSet};
 
 use super::function::Function;
 use super::number::Number;
+use super::spline::SplineCall;
 
 /// A node of a [`Graph`]; meaningful only together with the graph that made it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -80,6 +81,8 @@ pub enum Node {
     Power(ExprId, ExprId),
     /// A function of its arguments.
     Call(Function, Box<[ExprId]>),
+    /// A piecewise polynomial of its arguments.
+    Spline(SplineCall, Box<[ExprId]>),
 }
 
 /// Which of u, v and t an expression depends on.
@@ -214,7 +217,9 @@ impl Graph {
     pub fn operands(&self, id: ExprId) -> Vec<ExprId> {
         match self.node(id) {
             Node::Number(_) | Node::Constant(_) | Node::Symbol(_) | Node::Variable(_) => Vec::new(),
-            Node::Sum(operands) | Node::Product(operands) | Node::Call(_, operands) => operands.to_vec(),
+            Node::Sum(operands) | Node::Product(operands) | Node::Call(_, operands) | Node::Spline(_, operands) => {
+                operands.to_vec()
+            }
             Node::Power(base, exponent) => vec![*base, *exponent],
         }
     }
@@ -259,7 +264,7 @@ impl Graph {
     fn for_each_operand(&self, id: ExprId, mut visit: impl FnMut(ExprId)) {
         match self.node(id) {
             Node::Number(_) | Node::Constant(_) | Node::Symbol(_) | Node::Variable(_) => {}
-            Node::Sum(operands) | Node::Product(operands) | Node::Call(_, operands) => {
+            Node::Sum(operands) | Node::Product(operands) | Node::Call(_, operands) | Node::Spline(_, operands) => {
                 operands.iter().copied().for_each(visit);
             }
             Node::Power(base, exponent) => {
@@ -276,14 +281,16 @@ impl Graph {
             Node::Variable(variable) => {
                 Dependence { u: *variable == Variable::U, v: *variable == Variable::V, t: *variable == Variable::T }
             }
-            Node::Sum(operands) | Node::Product(operands) | Node::Call(_, operands) => {
+            Node::Sum(operands) | Node::Product(operands) | Node::Call(_, operands) | Node::Spline(_, operands) => {
                 operands.iter().fold(Dependence::default(), |all, &id| all.union(self.dependence(id)))
             }
             Node::Power(base, exponent) => self.dependence(*base).union(self.dependence(*exponent)),
         };
         let operands = match &node {
             Node::Number(_) | Node::Constant(_) | Node::Symbol(_) | Node::Variable(_) => 0,
-            Node::Sum(operands) | Node::Product(operands) | Node::Call(_, operands) => operands.len(),
+            Node::Sum(operands) | Node::Product(operands) | Node::Call(_, operands) | Node::Spline(_, operands) => {
+                operands.len()
+            }
             Node::Power(..) => 2,
         };
         let (index, is_new) = self.nodes.insert_full(node);

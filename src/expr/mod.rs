@@ -11,6 +11,7 @@ mod graph;
 mod name;
 mod number;
 pub mod simplify;
+mod spline;
 mod substitute;
 
 pub use derivative::{Derivative, DerivativeFault, NotDifferentiable};
@@ -19,3 +20,4 @@ pub use function::{Function, Parity, Value};
 pub use graph::{Constant, Dependence, ExprId, Graph, Node, SymbolId, Variable};
 pub use name::{canonical_name, greek_letter, greek_named, unicode_name};
 pub use number::Number;
+pub use spline::{HIGHEST_DEGREE, Knots, Spline, SplineCall};

@@ -109,6 +109,25 @@ fn subscript_digit(letter: char) -> Option<char> {
     char::from_digit(value, 10)
 }
 
+/// `b1` as `b_{1}`, `beta` as `\beta`, longer names upright.
+pub(super) fn latex_name(canonical: &str) -> String {
+    let stem_end = canonical.find(|c: char| c.is_ascii_digit() || c == '\'' || c == '_').unwrap_or(canonical.len());
+    let (stem, rest) = canonical.split_at(stem_end);
+    let primes = rest.chars().filter(|c| *c == '\'').count();
+    let subscript: String = rest.chars().filter(|c| !matches!(c, '\'' | '_')).collect();
+    let is_greek = unicode_name(stem).chars().next().and_then(greek_letter).is_some_and(|name| name == stem);
+    let stem = match stem.chars().count() {
+        1 => stem.to_owned(),
+        // TeX has no command for it.
+        _ if stem == "omicron" => "ο".to_owned(),
+        // `\pi` is always the number.
+        _ if is_greek && stem != "pi" => format!(r"\{stem}"),
+        _ => format!(r"\mathrm{{{stem}}}"),
+    };
+    let subscript = if subscript.is_empty() { String::new() } else { format!("_{{{subscript}}}") };
+    format!("{stem}{}{subscript}", "'".repeat(primes))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -17,6 +17,7 @@ use std::collections::BTreeMap;
 use super::function::{Function, Parity};
 use super::graph::{Constant, ExprId, Graph, Node, SymbolId, Variable};
 use super::number::Number;
+use super::spline::SplineCall;
 
 impl Graph {
     /// A number.
@@ -281,6 +282,11 @@ impl Graph {
             }
             _ => self.intern(Node::Call(function, [argument].into())),
         }
+    }
+
+    /// A spline of its arguments, of which there must be as many as it has.
+    pub fn spline(&mut self, call: SplineCall, arguments: &[ExprId]) -> ExprId {
+        if call.is_zero() { self.integer(0) } else { self.intern(Node::Spline(call, arguments.into())) }
     }
 
     fn exact_value(&mut self, function: Function, argument: ExprId) -> Option<ExprId> {

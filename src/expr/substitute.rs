@@ -30,6 +30,7 @@ impl Graph {
             Node::Product(factors) => self.product(factors.iter().map(of).collect::<Vec<_>>()),
             Node::Power(base, exponent) => self.power(of(&base), of(&exponent)),
             Node::Call(function, arguments) => self.call(function, &arguments.iter().map(of).collect::<Vec<_>>()),
+            Node::Spline(call, arguments) => self.spline(call, &arguments.iter().map(of).collect::<Vec<_>>()),
         }
     }
 
@@ -76,6 +77,11 @@ impl Graph {
                 Node::Product(factors) => factors.iter().map(of).product(),
                 Node::Power(base, exponent) => libm::pow(of(base), of(exponent)),
                 Node::Call(function, arguments) => function.value(&arguments.iter().map(of).collect::<Vec<_>>()),
+                Node::Spline(call, arguments) => match &**arguments {
+                    [x] => call.value(of(x), 0.0),
+                    [x, y] => call.value(of(x), of(y)),
+                    _ => f64::NAN,
+                },
             };
             known.insert(id, value);
         }

@@ -7,10 +7,13 @@
 //!
 //! Absent on purpose: solving. [`Blend`](crate::blend::Blend) solves an interpolated problem.
 
+mod ends;
 mod sequence;
 mod step;
 
-pub use sequence::{Frame, Kind, Sequence};
+pub use crate::problem::MorphKind as Kind;
+pub use ends::ends;
+pub use sequence::{Frame, Sequence};
 pub use step::{WeightedSurface, distance};
 
 use rustc_hash::FxHashMap;

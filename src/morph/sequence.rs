@@ -3,16 +3,7 @@
 use crate::diagnostic::{Code, Diagnostic};
 use crate::limits::Limits;
 
-/// What changes from frame to frame.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
-    /// The boundary data.
-    Boundary,
-    /// The number of Fourier modes: fewer and fewer of the source, then more and more of the target.
-    Modes,
-    /// Both at once.
-    Both,
-}
+use super::Kind;
 
 /// A frame: between source and target, or one of them.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -66,6 +57,12 @@ impl Sequence {
             return Err(finding.hint("ask for fewer frames, or raise the limit `frames`"));
         }
         Ok(Sequence { kind, steps, modes })
+    }
+
+    /// What changes from frame to frame.
+    #[must_use]
+    pub fn kind(&self) -> Kind {
+        self.kind
     }
 
     /// M.

@@ -15,6 +15,8 @@ use crate::limits::Limits;
 pub struct Explanation {
     /// The params, each with its value and range, a line each.
     pub parameters: String,
+    /// What comes from data files, a statement each; the same in every notation.
+    pub data: String,
     /// The equation and the values of its coefficients.
     pub equation: String,
     /// The ranges of u, v and t.
@@ -34,6 +36,7 @@ impl Problem {
         let writer = Writer { problem: self, notation, limits };
         Ok(Explanation {
             parameters: writer.parameters(patch)?,
+            data: self.data.join("\n"),
             equation: writer.equation(patch)?,
             domain: writer.domain(patch)?,
             constraints: writer.constraints(patch)?,
@@ -46,7 +49,7 @@ impl Explanation {
     /// All parts, one below the other.
     #[must_use]
     pub fn to_text(&self) -> String {
-        let parts = [&self.parameters, &self.equation, &self.domain, &self.constraints, &self.deformations];
+        let parts = [&self.parameters, &self.data, &self.equation, &self.domain, &self.constraints, &self.deformations];
         let stated: Vec<&str> = parts.into_iter().map(String::as_str).filter(|part| !part.is_empty()).collect();
         stated.join("\n") + "\n"
     }

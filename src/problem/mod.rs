@@ -7,6 +7,7 @@
 mod deformation;
 mod domain;
 mod explanation;
+mod morph;
 mod net;
 mod operator;
 mod parameters;
@@ -15,6 +16,7 @@ mod surface;
 pub use deformation::{Deformation, check_region};
 pub use domain::{Domain, DomainValues};
 pub use explanation::Explanation;
+pub use morph::{MorphKind, MorphRequest};
 pub use net::{KnotKind, Layer, Net, NetKnots, NetPoints, Sampling};
 pub use operator::{PdeOperator, PdeTerm, STANDARD_COEFFICIENTS};
 pub use parameters::{Bindings, Parameter, ParameterKind};
@@ -41,6 +43,10 @@ pub struct Problem {
     pub nets: Vec<Net>,
     /// Where patches are meant to meet, in source order.
     pub seams: Vec<Seam>,
+    /// Which patches become which others.
+    pub morph: Option<MorphRequest>,
+    /// What comes from data files, as statements of a spec: `curve C = points("ring.csv")`.
+    pub data: Vec<String>,
 }
 
 /// One surface patch: a boundary-value problem for `S(u, v, t)`.

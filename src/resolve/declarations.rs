@@ -1,5 +1,6 @@
 //! Params and definitions to their meanings.
 
+use super::curve;
 use super::reading::Reading;
 use super::scope::{Meaning, Scope, Value};
 use super::surface;
@@ -55,9 +56,16 @@ pub fn definitions(definitions: &[ast::Definition], scope: &mut Scope<'_>, readi
         if reading.is_over {
             return;
         }
-        if let DefinitionKind::Surface(ranges) = &definition.kind {
-            surface::declare(definition, ranges, scope, reading);
-            continue;
+        match &definition.kind {
+            DefinitionKind::Surface(ranges) => {
+                surface::declare(definition, ranges, scope, reading);
+                continue;
+            }
+            DefinitionKind::Curve => {
+                curve::declare(definition, scope, reading);
+                continue;
+            }
+            DefinitionKind::Let => {}
         }
         let meaning = meaning(definition, scope, reading);
         let is_declared = scope.declare(&definition.name, meaning);

@@ -21,12 +21,20 @@ pub fn expand(
     if lowering.scope.is_faulty(&name.text) {
         return Err(Fault::Follows);
     }
-    let Some((surface, None)) = lowering.surface(&name.text) else {
+    let surface =
+        lowering.surface(&name.text).filter(|(surface, component)| surface.index.is_some() && component.is_none());
+    let Some((surface, _)) = surface else {
         let hint = format!("declare it: `surface {}(u, v) = …`", name.text);
         return Err(match lowering.scope.meaning(&name.text) {
             None => lowering.scope.unknown_name(name, Some(hint)),
             Some(_) => {
-                Diagnostic::new(Code::UnknownName, format!("`{}` is not a surface", name.text)).at(name.span).hint(hint)
+                let finding = Diagnostic::new(Code::UnknownName, format!("`{}` is not a surface", name.text));
+                let is_curve = lowering.surface(&name.text).is_some_and(|(surface, _)| surface.index.is_none());
+                finding.at(name.span).hint(if is_curve {
+                    format!("constrain S by the curve: `S = {}(v)`", name.text)
+                } else {
+                    hint
+                })
             }
         }
         .into());
@@ -67,7 +75,8 @@ pub fn expand(
         stated.push(Stated { order, value, places: [join.span; 3], span: join.span });
     }
     let is_flipped = Some(join.is_flipped);
-    let joined = problem::Join { surface: surface.index, u, arguments, across, is_flipped, origin: Some(join.span) };
+    let index = surface.index.unwrap_or_default();
+    let joined = problem::Join { surface: index, u, arguments, across, is_flipped, origin: Some(join.span) };
     Ok((stated, joined))
 }
 
@@ -85,6 +94,7 @@ pub fn written_out(constraint: &Constraint, u: ExprId, lowering: &mut Lowering<'
     let is_position = constraint.target.component.is_none() && constraint.target.derivative == Derivative::NONE;
     let Kind::Application(name, arguments) = &lowering.tree.node(constraint.value).kind else { return None };
     let (surface, None) = lowering.surface(&name.text)? else { return None };
+    let index = surface.index?;
     let mut values = Vec::with_capacity(3);
     for argument in arguments {
         values.push(lowering.scalar(*argument).ok()?);
@@ -94,12 +104,5 @@ pub fn written_out(constraint: &Constraint, u: ExprId, lowering: &mut Lowering<'
     let depends = values.map(|value| lowering.graph.dependence(value).v);
     let across = if depends[0] && !depends[1] { Variable::V } else { Variable::U };
     let origin = Some(constraint.span);
-    is_position.then_some(problem::Join {
-        surface: surface.index,
-        u,
-        arguments: values,
-        across,
-        is_flipped: None,
-        origin,
-    })
+    is_position.then_some(problem::Join { surface: index, u, arguments: values, across, is_flipped: None, origin })
 }

@@ -93,6 +93,11 @@ impl Lowering<'_> {
                 let arguments = self.scalars(&partial.arguments, known)?;
                 self.partial(partial, &arguments, span)
             }
+            Kind::Text(_) => {
+                Err(Diagnostic::new(Code::UnexpectedText, "a text in quotes stands where a value is expected")
+                    .at(span)
+                    .hint("quotes name data files: `curve C = points(\"ring.csv\")`, then `C(v)`"))
+            }
             Kind::Operator(orders) => {
                 self.check_order(*orders, span)?;
                 let (zero, one) = (self.graph.integer(0), self.graph.integer(1));

@@ -4,12 +4,14 @@
 //! that can be found at once. Nothing numerical is decided here except where boundaries lie.
 
 mod boundary;
+mod curve;
 mod declarations;
 mod deformation;
 mod equation;
 mod form;
 mod join;
 mod lower;
+mod morph;
 mod net;
 mod operator;
 mod patch;
@@ -39,6 +41,7 @@ use crate::syntax::parse_expression;
 /// size of the document.
 pub fn resolve(document: &Document, name: &str, limits: &Limits) -> Result<Problem, Diagnostics> {
     let mut reading = Reading::new(&document.tree, Graph::new(), limits);
+    reading.files = &document.files;
     let mut scope = Scope::new(&mut reading.graph, limits);
     prelude::provide(&document.tree, &mut scope, &mut reading);
     let definitions = document.shared.definitions.iter().map(|definition| &definition.name);
@@ -70,7 +73,10 @@ pub fn resolve(document: &Document, name: &str, limits: &Limits) -> Result<Probl
     if let (Some(bindings), true) = (&bindings, reading.found.is_empty()) {
         problem.seams = patch::seams(document, (&problem.patches, &problem.nets), &scope, bindings, &mut reading);
     }
-    (problem.graph, problem.surfaces) = (reading.graph, reading.surfaces);
+    if reading.found.is_empty() {
+        problem.morph = morph::request(&document.morphs, &problem.patches, &mut reading);
+    }
+    (problem.graph, problem.surfaces, problem.data) = (reading.graph, reading.surfaces, reading.data);
     if reading.found.is_empty() { Ok(problem) } else { Err(reading.found) }
 }
 

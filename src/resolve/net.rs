@@ -220,13 +220,14 @@ fn sampling_called(name: &Name) -> Result<Sampling, Diagnostic> {
 
 /// The place of a primary surface among the problem's.
 fn surface_called(name: &Name, scope: &Scope<'_>) -> Result<usize, Fault> {
+    let no_surface = || -> Fault {
+        let finding = Diagnostic::new(Code::UnknownName, format!("`{}` is not a surface", name.text));
+        finding.at(name.span).hint("declare one with `surface`").into()
+    };
     match scope.meaning(&name.text) {
-        Some(Meaning::Surface(surface)) => Ok(surface.index),
+        Some(Meaning::Surface(surface)) => surface.index.ok_or_else(no_surface),
         Some(Meaning::Faulty) => Err(Fault::Follows),
-        Some(_) => {
-            let finding = Diagnostic::new(Code::UnknownName, format!("`{}` is not a surface", name.text));
-            Err(finding.at(name.span).hint("declare one with `surface`").into())
-        }
+        Some(_) => Err(no_surface()),
         None => Err(scope.unknown_name(name, None).into()),
     }
 }

@@ -6,7 +6,7 @@ use crate::diagnostic::{Class, Diagnostic, Diagnostics, MOST_FINDINGS};
 use crate::expr::Graph;
 use crate::limits::Limits;
 use crate::problem::PrimarySurface;
-use crate::syntax::ast::Tree;
+use crate::syntax::ast::{DataFile, Tree};
 
 /// Why an expression has no value.
 #[derive(Debug)]
@@ -31,8 +31,12 @@ pub struct Reading<'a> {
     pub graph: Graph,
     /// Primary surfaces that were declared.
     pub surfaces: Vec<PrimarySurface>,
+    /// The data files it names.
+    pub files: &'a [DataFile],
     /// Bounds on the graph.
     pub limits: &'a Limits,
+    /// What comes from data files, as statements.
+    pub data: Vec<String>,
     /// What was found so far.
     pub found: Diagnostics,
     /// Whether a limit was reached or nothing more is to be said; every later stage would only repeat it.
@@ -42,7 +46,16 @@ pub struct Reading<'a> {
 impl<'a> Reading<'a> {
     /// Nothing read, nothing found.
     pub fn new(tree: &'a Tree, graph: Graph, limits: &'a Limits) -> Reading<'a> {
-        Reading { tree, graph, surfaces: Vec::new(), limits, found: Diagnostics::new(), is_over: false }
+        Reading {
+            tree,
+            graph,
+            files: &[],
+            surfaces: Vec::new(),
+            data: Vec::new(),
+            limits,
+            found: Diagnostics::new(),
+            is_over: false,
+        }
     }
 
     /// A lowering of expressions whose names mean what `scope` says.

@@ -63,7 +63,11 @@ fn unused(document: &Document) -> Diagnostics {
     let of_nets = document.nets.iter().flat_map(|block| &block.definitions);
     let definitions = sections().flat_map(|statements| &statements.definitions).chain(of_nets);
     let definitions = definitions.filter_map(|definition| {
-        let what = if definition.kind == DefinitionKind::Let { "definition" } else { "surface" };
+        let what = match definition.kind {
+            DefinitionKind::Let => "definition",
+            DefinitionKind::Surface(_) => "surface",
+            DefinitionKind::Curve => "curve",
+        };
         unused(what, &definition.name)
     });
     params.chain(definitions).collect()

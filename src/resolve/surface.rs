@@ -20,9 +20,9 @@ use crate::syntax::ast::{Definition, Expression, Kind, Name, Partial, Range};
 /// What a name of a surface stands for.
 #[derive(Debug)]
 pub struct SurfaceMeaning {
-    /// Its place among the problem's surfaces.
-    pub index: usize,
-    /// The names of its parameters: two, or three with time.
+    /// Its place among the problem's surfaces; `None` for a curve.
+    pub index: Option<usize>,
+    /// The names of its parameters: one of a curve, otherwise two, or three with time.
     pub parameters: Vec<Name>,
     /// x, y and z in u, v and t.
     pub position: [ExprId; 3],
@@ -61,7 +61,7 @@ pub fn declare(definition: &Definition, ranges: &[Range], scope: &mut Scope<'_>,
                 range_origins,
                 origin: Some(definition.name.span),
             });
-            Meaning::Surface(Rc::new(SurfaceMeaning { index, parameters: parameters.clone(), position }))
+            Meaning::Surface(Rc::new(SurfaceMeaning { index: Some(index), parameters: parameters.clone(), position }))
         }
     };
     let declared = scope.declare(&definition.name, meaning);
@@ -225,7 +225,8 @@ impl Lowering<'_> {
     ) -> Result<Form, Diagnostic> {
         if arguments.len() != surface.parameters.len() {
             let count = surface.parameters.len();
-            let message = format!("`{}` takes {count} arguments, found {}", name.text, arguments.len());
+            let plural = if count == 1 { "" } else { "s" };
+            let message = format!("`{}` takes {count} argument{plural}, found {}", name.text, arguments.len());
             let finding = Diagnostic::new(Code::WrongArity, message).at(span);
             return Err(finding.hint(format!("its parameters are {}", surface.parameter_names())));
         }
@@ -273,7 +274,8 @@ impl Lowering<'_> {
     /// What a plain name stands for, where it may stand.
     pub fn plain_value(&self, meaning: &Meaning, name: &Name) -> Result<Value, Diagnostic> {
         if let Meaning::Surface(surface) = meaning {
-            let message = format!("`{}` is a surface, which takes its parameters in brackets", name.text);
+            let what = if surface.index.is_some() { "a surface" } else { "a curve" };
+            let message = format!("`{}` is {what}, which takes its parameters in brackets", name.text);
             let finding = Diagnostic::new(Code::WrongArity, message).at(name.span);
             return Err(finding.hint(format!("write `{}({})`", name.text, surface.parameter_names())));
         }

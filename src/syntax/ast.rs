@@ -3,6 +3,8 @@
 use crate::diagnostic::Span;
 use crate::expr::{Derivative, Function, Number};
 
+pub use super::files::DataFile;
+
 /// A whole spec file.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Document {
@@ -18,6 +20,23 @@ pub struct Document {
     pub nets: Vec<NetBlock>,
     /// Where patches are said to meet, in source order.
     pub seams: Vec<Seam>,
+    /// Which patches become which others; more than one is an error of the next stage.
+    pub morphs: Vec<Morph>,
+    /// The data files it names, each once, in the order of their first mention.
+    pub files: Vec<DataFile>,
+}
+
+/// `morph from A to B, C to D by both, steps = 9`
+#[derive(Debug, Clone, PartialEq)]
+pub struct Morph {
+    /// Patches and what they become.
+    pub pairs: Vec<[Name; 2]>,
+    /// What changes: `boundary`, `modes` or `both`.
+    pub by: Option<Name>,
+    /// Settings, in source order.
+    pub settings: Vec<Setting>,
+    /// The whole statement.
+    pub span: Span,
 }
 
 /// `seam A at u = 1 with B at u = 1`
@@ -181,6 +200,8 @@ pub enum DefinitionKind {
     Let,
     /// A primary surface, with the ranges of its parameters as far as they are stated.
     Surface(Vec<Range>),
+    /// A closed curve through the points of a data file, which the value names: `curve C = points("ring.csv")`.
+    Curve,
 }
 
 /// `domain v in [lo, hi]`
@@ -335,6 +356,8 @@ pub enum Kind {
     Power(Expression, Expression),
     /// Two or more values in square brackets.
     Vector(Vec<Expression>),
+    /// A text in quotes: the name of a data file.
+    Text(String),
 }
 
 /// `∂²S1(u1, v, t)/∂u∂v`
@@ -351,7 +374,7 @@ pub struct Partial {
 impl Kind {
     fn operands(&self) -> Vec<Expression> {
         match self {
-            Kind::Number(_) | Kind::Name(_) | Kind::Unknown(_) | Kind::Operator(_) => Vec::new(),
+            Kind::Number(_) | Kind::Name(_) | Kind::Unknown(_) | Kind::Operator(_) | Kind::Text(_) => Vec::new(),
             Kind::Application(_, operands)
             | Kind::Call(_, operands)
             | Kind::SquareRoot(operands)

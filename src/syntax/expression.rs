@@ -181,6 +181,7 @@ impl Builder<'_> {
         let whole = self.span(&pair);
         let kind = match pair.as_rule() {
             Rule::number => return self.number(pair.as_str(), whole),
+            Rule::text => Kind::Text(self.text(whole).trim_matches('"').to_owned()),
             Rule::pi => Kind::Name(Name { text: "pi".to_owned(), span: whole }),
             Rule::derivative => Kind::Unknown(self.derivative(pair)?),
             Rule::differential => Kind::Operator(self.derivative(pair)?.derivative),

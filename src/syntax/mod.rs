@@ -8,6 +8,7 @@ pub mod ast;
 mod bars;
 mod brackets;
 mod expression;
+mod files;
 mod format;
 mod latex;
 mod net;
@@ -15,12 +16,14 @@ mod parser;
 mod partial;
 mod places;
 mod preflight;
+mod quotes;
 mod statement;
 
 pub use ast::Document;
 pub use format::{Alphabet, format};
 pub use preflight::decode;
 
+pub use ast::DataFile;
 use ast::{Expression, Name, NetBlock, PatchBlock, Statements, Tree};
 use brackets::Brackets;
 use expression::Builder;
@@ -33,7 +36,7 @@ use crate::limits::Limits;
 /// Words that are no names.
 const RESERVED_WORDS: &[&str] = &[
     "param", "let", "domain", "pde", "with", "at", "solve", "in", "surface", "seam", "patch", "join", "deform",
-    "keeping", "curve", "bspline", "knots", "net", "layer",
+    "keeping", "curve", "morph", "bspline", "knots", "net", "layer",
 ];
 
 /// Parses a spec.

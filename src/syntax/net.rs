@@ -75,6 +75,7 @@ impl Statement {
             Statement::Deformation(deformation) => Some(deformation.span),
             Statement::Solve(solve) => Some(solve.method.span),
             Statement::Seam(seam) => Some(seam.span),
+            Statement::Morph(morph) => morph.pairs.first().map(|[first, _]| first.span),
             Statement::Knots(knots) => knots.first().map(|knots| knots.span),
             Statement::Net(net) => Some(net.span),
             Statement::Layer(layer) => Some(layer.index.span),

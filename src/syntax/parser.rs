@@ -5,6 +5,7 @@ use pest::error::{ErrorVariant, InputLocation};
 use pest::iterators::Pair;
 
 use super::bars::{BAR_CLOSES, BAR_OPENS};
+use super::quotes::FILLER;
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::greek_named;
 
@@ -60,6 +61,7 @@ fn unexpected(error: &pest::error::Error<Rule>, text: &str, offset: usize) -> Di
 fn found(text: &str, at: usize) -> String {
     match token(text.get(at..).unwrap_or("")) {
         "" => "the end".to_owned(),
+        FILLER => "a text in quotes".to_owned(),
         BAR_OPENS | BAR_CLOSES => "`|`".to_owned(),
         token => format!("`{token}`"),
     }
@@ -134,10 +136,15 @@ fn words(rule: Rule) -> Option<&'static str> {
         | Rule::kw_seam
         | Rule::surface_line
         | Rule::kw_surface
+        | Rule::curve_line
+        | Rule::kw_curve
+        | Rule::morph_line
+        | Rule::kw_morph
         | Rule::kw_solve => {
-            "a statement (`param`, `let`, `surface`, `domain`, `pde`, `at`, `solve`, `deform`, `patch`, `seam`, `bspline`)"
+            "a statement (`param`, `let`, `surface`, `curve`, `domain`, `pde`, `at`, `solve`, `deform`, `patch`, `seam`, `morph`, `bspline`)"
         }
-        Rule::surface => "a name",
+        Rule::surface | Rule::curve | Rule::pair => "a name",
+        Rule::points => "`points(\"file.csv\")`",
         Rule::knots | Rule::knot_list => "`uniform in u`, `clamped in u` or `[…] in u`",
         Rule::net_size => "a size such as `5 x 5`",
         Rule::sampled => "`surface NAME sampled greville`",
@@ -147,6 +154,7 @@ fn words(rule: Rule) -> Option<&'static str> {
         Rule::kw_at => "`at`",
         Rule::kw_in => "`in`",
         Rule::kw_by => "`by`",
+        Rule::kw_to => "`to`",
         Rule::kw_keeping => "`keeping`",
         Rule::kw_with => "`with`",
         Rule::equation => "an equation",
@@ -208,7 +216,7 @@ fn advice(text: &str, at: usize) -> Option<String> {
         return Some("a derivative is written `∂²S/∂u²` or `∂⁴S/∂u²∂v²`, an operator `∂²/∂u²`".to_owned());
     }
     if text.strip_prefix("curve").is_some_and(|tail| tail.starts_with([' ', '\t'])) {
-        return Some("`curve` is reserved for a later version of the language".to_owned());
+        return Some("a curve comes from a file, `curve C = points(\"ring.csv\")`; a formula is a `let`".to_owned());
     }
     if let Some(word) = ["patch", "bspline"].into_iter().find(|word| text.starts_with(&format!("{word} ")))
         && !text.ends_with('{')

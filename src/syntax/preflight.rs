@@ -9,14 +9,15 @@
 use super::bars;
 use super::latex;
 use super::places::Places;
+use super::quotes;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, MOST_FINDINGS, Source, Span, is_deceptive};
 use crate::expr::{Function, greek_letter};
 use crate::limits::Limits;
 
 /// Words that begin a statement and therefore end the one before.
 const STATEMENT_WORDS: &[&str] = &[
-    "param", "let", "domain", "pde", "at", "solve", "deform", "surface", "seam", "patch", "curve", "bspline", "knots",
-    "net", "layer",
+    "param", "let", "domain", "pde", "at", "solve", "deform", "surface", "seam", "patch", "curve", "morph", "bspline",
+    "knots", "net", "layer",
 ];
 
 /// Words of statements that open a block.
@@ -36,6 +37,8 @@ pub struct Prepared {
     pub brackets: Vec<(usize, usize)>,
     /// Offsets of the `{` of patch blocks.
     pub blocks: Vec<usize>,
+    /// Texts in quotes, with the offset of the opening one; in `text` fillers stand for them, quotes included.
+    pub quoted: Vec<(usize, String)>,
 }
 
 /// What is open at a place of the text.
@@ -91,7 +94,7 @@ pub fn prepare(source: &Source, limits: &Limits) -> Result<Prepared, Diagnostics
     // Here too: a source need not come from `decode`.
     check_size(source.text.len(), limits).map_err(|finding| vec![finding])?;
     match latex::spell_out(&source.text)? {
-        None => blanked(&source.text, limits).map(|prepared| Prepared { shown: shown(&prepared.text), ..prepared }),
+        None => blanked(&source.text, limits).map(|prepared| Prepared { shown: shown(&prepared), ..prepared }),
         Some((text, places)) => match blanked(&text, limits) {
             Ok(prepared) => Ok(Prepared { places, shown: source.text.clone(), ..prepared }),
             Err(found) => Err(found.into_iter().map(|finding| places.moved(finding)).collect()),
@@ -100,8 +103,13 @@ pub fn prepare(source: &Source, limits: &Limits) -> Result<Prepared, Diagnostics
 }
 
 /// A prepared text as its writer knows it.
-fn shown(text: &str) -> String {
-    text.replace([bars::BAR_OPENS, bars::BAR_CLOSES].map(|bar| bar.chars().next().unwrap_or(' ')), "|")
+fn shown(prepared: &Prepared) -> String {
+    let bars = [bars::BAR_OPENS, bars::BAR_CLOSES].map(|bar| bar.chars().next().unwrap_or(' '));
+    let mut text = prepared.text.replace(bars, "|");
+    for (at, quoted) in &prepared.quoted {
+        text.replace_range(*at..at + quoted.len() + 2, &format!("\"{quoted}\""));
+    }
+    text
 }
 
 /// `text` with comments and line breaks in brackets blanked, its logical lines and its brackets.
@@ -111,10 +119,15 @@ fn blanked(text: &str, limits: &Limits) -> Result<Prepared, Diagnostics> {
     let mut open = Open::default();
     let (mut brackets, mut blocks, mut breaks) = (Vec::new(), Vec::new(), Vec::new());
     let mut in_comment = false;
+    let mut quoted: Vec<(usize, String)> = Vec::new();
+    let mut quote_ends = 0;
     // Where the statement began, once it has.
     let mut statement: Option<usize> = None;
     for (at, letter) in text.char_indices() {
         let rest = text.get(at..).unwrap_or("");
+        if at < quote_ends {
+            continue;
+        }
         if letter == '\n' {
             in_comment = false;
             if open.is_inside() && starts_statement(rest.get(1..).unwrap_or("")) {
@@ -137,6 +150,22 @@ fn blanked(text: &str, limits: &Limits) -> Result<Prepared, Diagnostics> {
             statement.get_or_insert(at);
         }
         match letter {
+            '"' => match quotes::read(rest, at) {
+                Ok(inside) => {
+                    quote_ends = at + inside.len() + 2;
+                    (at..quote_ends).for_each(|place| replace(&mut bytes, place, quotes::FILLER));
+                    quoted.push((at, inside.to_owned()));
+                }
+                Err(finding) => {
+                    let (length, is_closed) = quotes::extent(rest);
+                    quote_ends = at + length;
+                    if !is_closed {
+                        // What would close the brackets before it is part of the text.
+                        open.brackets.truncate(usize::from(open.in_block));
+                    }
+                    found.push(finding);
+                }
+            },
             '{' if !open.is_inside() && opens_block(text, statement, at) => {
                 if open.in_block {
                     found.push(nested_block(statement.unwrap_or(at), at));
@@ -209,7 +238,7 @@ fn blanked(text: &str, limits: &Limits) -> Result<Prepared, Diagnostics> {
     // Whole characters were replaced by as many blanks as they had bytes, so the text is still UTF-8.
     let text = String::from_utf8(bytes).unwrap_or_default();
     let lines = logical_lines(&text, &breaks);
-    Ok(Prepared { text, lines, brackets, blocks, places: Places::default(), shown: String::new() })
+    Ok(Prepared { text, lines, brackets, blocks, places: Places::default(), shown: String::new(), quoted })
 }
 
 /// Whether the `{` at `at` opens the block of the statement that began at `statement`: `patch NAME {`.

@@ -2,10 +2,11 @@
 
 use super::ast::{
     Boundary, Constraint, Constraints, Definition, DefinitionKind, Deformation, Document, Expression, Join, Kind,
-    Knots, Layer, Name, NetBlock, NetStatement, Parameter, PatchBlock, PdeStatement, Range, Seam, SeamEdge, Setting,
-    SolveStatement, Statements, Unknown,
+    Knots, Layer, Morph, Name, NetBlock, NetStatement, Parameter, PatchBlock, PdeStatement, Range, Seam, SeamEdge,
+    Setting, SolveStatement, Statements, Unknown,
 };
 use super::expression::Builder;
+use super::files::check_path;
 use super::parser::{Parsed, Rule};
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::{Derivative, canonical_name};
@@ -30,6 +31,8 @@ pub enum Statement {
     Solve(SolveStatement),
     /// `seam …`
     Seam(Seam),
+    /// `morph …`
+    Morph(Morph),
     /// `patch NAME {`
     PatchBegins(Name),
     /// `bspline NAME {`
@@ -77,9 +80,11 @@ impl Statement {
             Statement::Definitions(definitions) => {
                 let surface = definitions.iter().find(|definition| definition.kind != DefinitionKind::Let);
                 if let (true, Some(surface)) = (is_open, surface) {
-                    return Err(shared_only("surface", &surface.name));
+                    let what = if surface.kind == DefinitionKind::Curve { "curve" } else { "surface" };
+                    return Err(shared_only(what, &surface.name));
                 }
                 section.definitions.extend(definitions);
+                document.note_files();
             }
             Statement::Ranges(ranges) => section.ranges.extend(ranges),
             Statement::Equation(equation) => section.equations.push(equation),
@@ -105,6 +110,12 @@ impl Statement {
                     return Err(shared_only("seam", &seam.edges[0].patch));
                 }
                 document.seams.push(seam);
+            }
+            Statement::Morph(morph) => {
+                if let (true, Some([first, _])) = (is_open, morph.pairs.first()) {
+                    return Err(shared_only("morph", first));
+                }
+                document.morphs.push(morph);
             }
             Statement::PatchBegins(name) => {
                 document.patches.push(PatchBlock { name, statements: Statements::default() });
@@ -154,6 +165,12 @@ impl Builder<'_> {
                     .map(|part| self.definition(part))
                     .collect::<Result<_, _>>()?,
             ),
+            Rule::curve_line => Statement::Definitions(
+                parts
+                    .filter(|part| part.as_rule() == Rule::curve)
+                    .map(|part| self.curve(part))
+                    .collect::<Result<_, _>>()?,
+            ),
             Rule::domain_line => Statement::Ranges(
                 parts
                     .filter(|part| part.as_rule() == Rule::range)
@@ -195,6 +212,7 @@ impl Builder<'_> {
                 let edges = [self.seam_edge(edges.next())?, self.seam_edge(edges.next())?];
                 Statement::Seam(Seam { edges, span: whole })
             }
+            Rule::morph_line => Statement::Morph(self.morph(parts, whole)?),
             Rule::patch_line => Statement::PatchBegins(self.take_name(&mut parts.into_iter())?),
             Rule::bspline_line => Statement::NetBegins(self.take_name(&mut parts.into_iter())?),
             Rule::knots_line => Statement::Knots(self.all_knots(parts)?),
@@ -215,6 +233,22 @@ impl Builder<'_> {
         let region = [self.range(take(&mut inner, Rule::range)?)?, self.range(take(&mut inner, Rule::range)?)?];
         let by = self.take_expression(&mut inner)?;
         Ok(Deformation { region, by, continuity: self.take_name(&mut inner)?, span })
+    }
+
+    fn morph<'a>(&mut self, parts: impl Iterator<Item = Parsed<'a>>, span: Span) -> Result<Morph, Diagnostic> {
+        let mut morph = Morph { pairs: Vec::new(), by: None, settings: Vec::new(), span };
+        for part in parts {
+            match part.as_rule() {
+                Rule::pair => {
+                    let mut names = part.into_inner();
+                    morph.pairs.push([self.take_name(&mut names)?, self.take_name(&mut names)?]);
+                }
+                Rule::word => morph.by = Some(self.word(&part)),
+                Rule::setting => morph.settings.push(self.setting(part)?),
+                _ => {}
+            }
+        }
+        Ok(morph)
     }
 
     fn seam_edge(&mut self, part: Option<Parsed<'_>>) -> Result<SeamEdge, Diagnostic> {
@@ -253,6 +287,27 @@ impl Builder<'_> {
         let ranges = ranges.collect::<Result<_, _>>()?;
         let kind = if is_surface { DefinitionKind::Surface(ranges) } else { DefinitionKind::Let };
         Ok(Definition { kind, name, formals, value })
+    }
+
+    fn curve(&mut self, part: Parsed<'_>) -> Result<Definition, Diagnostic> {
+        let mut inner = part.into_inner();
+        let name = self.take_name(&mut inner)?;
+        let value = self.file(&mut inner)?;
+        Ok(Definition { kind: DefinitionKind::Curve, name, formals: Vec::new(), value })
+    }
+
+    /// The name of a data file, the one text in a bracket.
+    fn file<'a>(&mut self, parts: &mut impl Iterator<Item = Parsed<'a>>) -> Result<Expression, Diagnostic> {
+        let arguments = parts.find(|part| part.as_rule() == Rule::arguments).ok_or_else(internal)?;
+        match self.bracket(&arguments)?.as_slice() {
+            [only] if let Kind::Text(path) = &self.tree.node(*only).kind => {
+                check_path(path, self.tree.span(*only))?;
+                Ok(*only)
+            }
+            _ => Err(Diagnostic::new(Code::UnexpectedText, "a data file is named by one text in quotes")
+                .at(self.span(&arguments))
+                .hint("as in `curve C = points(\"ring.csv\")`")),
+        }
     }
 
     fn range(&mut self, part: Parsed<'_>) -> Result<Range, Diagnostic> {
@@ -328,13 +383,17 @@ impl Builder<'_> {
         let method = self.word(&take(&mut inner, Rule::word)?);
         let mut settings = Vec::new();
         for part in inner {
-            let mut parts = part.into_inner();
-            let key = self.word(&take(&mut parts, Rule::word)?);
-            let value = take(&mut parts, Rule::setting_value)?;
-            let text: String = value.as_str().chars().filter(|c| !c.is_whitespace()).collect();
-            settings.push(Setting { key, value: text.replace('×', "x"), span: self.span(&value) });
+            settings.push(self.setting(part)?);
         }
         Ok(SolveStatement { method, settings })
+    }
+
+    fn setting(&self, part: Parsed<'_>) -> Result<Setting, Diagnostic> {
+        let mut parts = part.into_inner();
+        let key = self.word(&take(&mut parts, Rule::word)?);
+        let value = take(&mut parts, Rule::setting_value)?;
+        let text: String = value.as_str().chars().filter(|c| !c.is_whitespace()).collect();
+        Ok(Setting { key, value: text.replace('×', "x"), span: self.span(&value) })
     }
 
     fn word(&self, part: &Parsed<'_>) -> Name {

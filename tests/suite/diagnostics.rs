@@ -11,7 +11,7 @@ use trimline::resolve::{resolve, review};
 use trimline::syntax;
 use trimline::verify::verify;
 
-use crate::spec::{BOUNDARY, Prepared, decomposition_within, patch, problem_within, told, with_data};
+use crate::spec::{BOUNDARY, Prepared, data_file, decomposition_within, patch, problem_within, told, with_data};
 
 use table::{ROWS, Spec};
 
@@ -21,6 +21,7 @@ const ELSEWHERE: &[(Code, &str)] = &[
     (Code::NotFormatted, "a fault of `fmt` itself"),
     (Code::UnusedDeclaration, "`review`: below"),
     (Code::DegenerateBoundary, "`review`: below"),
+    (Code::BadDataFile, "tests of curves, which take files"),
     (Code::PeriodMissed, "`review`: below"),
     (Code::LargeResidual, "tests of the choice of `auto`"),
     (Code::ShapesDiffer, "tests of morphs, which take two texts"),
@@ -42,6 +43,7 @@ const ELSEWHERE: &[(Code, &str)] = &[
     (Code::EdgeCount, "tests of loops"),
     (Code::LoopOpen, "tests of loops"),
     (Code::NotSeparable, "tests of specs with four sides"),
+    (Code::NoFormula, "tests of curves"),
     (Code::ApexNotSmooth, "tests of patches with an apex"),
     (Code::HostUnsupported, "a machine without machine code"),
     (Code::OutputFailed, "a full disk"),
@@ -245,7 +247,8 @@ fn findings_never_echo_characters_that_act_on_a_terminal() {
 /// Codes, marked texts and messages of the warnings about a document without fault.
 fn reviewed(text: &str) -> Vec<String> {
     let (source, limits) = (Source::new("spec", text), Limits::default());
-    let document = syntax::parse(&source, &limits).unwrap_or_else(|found| panic!("{}", told(text, &found)));
+    let mut document = syntax::parse(&source, &limits).unwrap_or_else(|found| panic!("{}", told(text, &found)));
+    document.attach_files(&limits, data_file).unwrap_or_else(|found| panic!("{}", told(text, &found)));
     let problem = resolve(&document, "spec", &limits).unwrap_or_else(|found| panic!("{}", told(text, &found)));
     let line = |finding: &Diagnostic| {
         let marked = finding.span.map_or("", |span| source.slice(span));

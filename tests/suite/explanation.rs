@@ -103,13 +103,12 @@ fn explanation_in_latex_is_read_as_the_same_constraints_and_equation() {
     for text in specs() {
         let first = problem(&text);
         let (unicode, latex) = (explained(&first, Notation::Unicode), explained(&first, Notation::Latex));
-        let pasted =
-            format!("{}\n{}\n{}\n{}\n", unicode.parameters, unicode.equation, unicode.domain, latex.constraints);
+        let declared = format!("{}\n{}", unicode.parameters, unicode.data);
+        let pasted = format!("{}\n{}\n{}\n{}\n", declared, unicode.equation, unicode.domain, latex.constraints);
         assert_eq!(basis(&pasted), basis(&text), "{pasted}");
         let row = latex.equation.lines().nth(1).expect("a row").trim_end_matches([',', ' ', '\\']);
         let with = unicode.equation.split_once("with").map_or(String::new(), |(_, with)| format!(" with {with}"));
-        let pasted =
-            format!("{}\npde $${row}$${with}\n{}\n{}\n", unicode.parameters, unicode.domain, unicode.constraints);
+        let pasted = format!("{}\npde $${row}$${with}\n{}\n{}\n", declared, unicode.domain, unicode.constraints);
         assert_eq!(equation(&problem(&pasted)), equation(&first), "{pasted}");
     }
 }

@@ -12,9 +12,12 @@ mod choice;
 #[cfg(feature = "cli")]
 mod cli;
 #[cfg(feature = "cli")]
+mod cli_files;
+#[cfg(feature = "cli")]
 mod cli_fit;
 #[cfg(feature = "cli")]
 mod cli_morph;
+mod curves;
 mod decompositions;
 mod deformations;
 mod derivatives;

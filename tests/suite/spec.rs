@@ -20,7 +20,15 @@ at u = 1: S = [cos v, sin v, 1], dS/du = [0, 0, 1]
 
 pub fn problem_within(text: &str, limits: &Limits) -> Result<Problem, Diagnostics> {
     let source = syntax::decode(NAME, text.as_bytes(), limits).map_err(|finding| vec![finding])?;
-    resolve(&syntax::parse(&source, limits)?, NAME, limits)
+    let mut document = syntax::parse(&source, limits)?;
+    document.attach_files(limits, data_file)?;
+    resolve(&document, NAME, limits)
+}
+
+/// The bytes of a data file of the examples.
+pub fn data_file(path: &str) -> Result<Vec<u8>, String> {
+    let folder = std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/examples"));
+    std::fs::read(folder.join(path)).map_err(|error| error.to_string())
 }
 
 pub fn problem(text: &str) -> Problem {

@@ -375,6 +375,32 @@ fn saved_edit_is_announced_and_a_broken_one_keeps_the_surface() {
 }
 
 #[test]
+fn saved_data_file_is_read_again() {
+    let ring = |x: f64| format!("{x},0,0\n0.6,0.8,0\n-0.2,0.9,0\n-1,0.1,0\n-0.7,-0.7,0\n0.1,-1,0\n0.8,-0.5,0\n");
+    let text = VASE.replace("S = [r cos v, r sin v, 1]", "S = r C(v)");
+    let view = View::of(&format!("curve C = points(\"ring.csv\")\n{text}"), &[]);
+    let scene = view.get("/scene").json();
+    assert_eq!((&scene["is_current"], &scene["findings"][0]["code"]), (&Value::Bool(false), &Value::from("E0221")));
+    let mut known = scene["revision"].as_u64().expect("a number");
+    for x in [1.0, 1.5] {
+        std::fs::write(view.folder.path().join("ring.csv"), ring(x)).expect("saved");
+        let scene = (0..600).find_map(|_| {
+            let scene = view.get("/scene").json();
+            let is_newer = scene["revision"].as_u64() > Some(known) && scene["is_current"] == Value::Bool(true);
+            if !is_newer {
+                std::thread::sleep(Duration::from_millis(50));
+            }
+            is_newer.then_some(scene)
+        });
+        let scene = scene.expect("the file is read again");
+        known = scene["revision"].as_u64().expect("a number");
+        let program = &scene["solved"]["patches"][0]["boundary"][0]["program"];
+        let first = program["splines"][0]["coefficients"][0].as_f64().expect("a number");
+        assert!((first - x).abs() < 1e-14, "{program}");
+    }
+}
+
+#[test]
 fn spec_that_does_not_exist_and_port_in_use_end_the_command() {
     let run = |arguments: &[&str]| {
         let output = Command::new(env!("CARGO_BIN_EXE_trimline")).arg("view").args(arguments).output();

@@ -87,6 +87,8 @@ struct Explanations {
 #[derive(Serialize)]
 struct Explained {
     params: String,
+    #[serde(skip_serializing_if = "String::is_empty")]
+    data: String,
     equation: String,
     domain: String,
     constraints: String,
@@ -290,8 +292,8 @@ fn explanations(spec: &Spec, patch: &Patch) -> Result<Explanations, Failure> {
     let explained = |notation: Notation| {
         let explanation = spec.problem.explain(patch, notation, &spec.limits).map_err(|finding| spec.fault(finding))?;
         let whole = explanation.to_text();
-        let Explanation { parameters: params, equation, domain, constraints, deformations } = explanation;
-        Ok::<_, Failure>(Explained { params, equation, domain, constraints, deformations, whole })
+        let Explanation { parameters: params, data, equation, domain, constraints, deformations } = explanation;
+        Ok::<_, Failure>(Explained { params, data, equation, domain, constraints, deformations, whole })
     };
     Ok(Explanations { unicode: explained(Notation::Unicode)?, latex: explained(Notation::Latex)? })
 }

@@ -34,6 +34,10 @@ pub struct Arguments {
     #[arg(long, value_delimiter = ',', value_name = "LIST")]
     derivatives: Vec<String>,
 
+    /// The shape between, at this weight of the target, of a spec that states `morph from A to B`.
+    #[arg(long, value_name = "EPS")]
+    morph: Option<f64>,
+
     /// The result, instead of standard output.
     #[arg(long, short, value_name = "FILE")]
     output: Option<std::path::PathBuf>,
@@ -51,6 +55,15 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
     let (file, grid) = split_points(&arguments.points)?;
     if arguments.spec == "-" && file == "-" {
         return Err(Failure::Usage("the spec and the points cannot both come from standard input".to_owned()));
+    }
+    if let Some(epsilon) = arguments.morph {
+        if grid.is_some() {
+            return Err(Failure::Usage("a shape of a morph takes no collocation grid".to_owned()));
+        }
+        let derivatives =
+            read_derivatives(&arguments.derivatives, arguments.solving.reading.limits()?.derivative_order)?;
+        let (spec, output) = (&arguments.spec, arguments.output.as_deref());
+        return crate::morph::evaluate(spec, &arguments.solving, epsilon, (file, &derivatives), output, terminal);
     }
     let spec = Spec::read(&arguments.spec, &arguments.solving.reading)?;
     let derivatives = read_derivatives(&arguments.derivatives, spec.limits.derivative_order)?;

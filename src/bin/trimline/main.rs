@@ -6,9 +6,11 @@
 mod basis;
 mod bench;
 mod check;
+mod drawing;
 mod emit;
 mod eval;
 mod failure;
+mod files;
 mod fit;
 mod fmt;
 mod joins;
@@ -85,7 +87,7 @@ enum Command {
     Mesh(mesh::Arguments),
     /// Draws a shaded picture, a sheet of pictures over time, or an animation: PNG or GIF.
     Render(render::Arguments),
-    /// Writes the shapes between two specs: meshes, points, and how far each is from the one before.
+    /// Writes the shapes between two specs, or two patches of one: meshes, pictures, points, and how far each is from the one before.
     Morph(morph::Arguments),
     /// Writes B-splines for CAD programs: STEP, IGES or JSON by the file's extension.
     Fit(fit::Arguments),

@@ -1,21 +1,14 @@
 //! `trimline render`: pictures and animations.
 
-use std::io::{BufWriter, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
-
-use trimline::diagnostic::Diagnostic;
-use trimline::render::{
-    Camera, Picture, Renderer, Shade, Style, contact_sheet, write_apng, write_gif, write_gif_still, write_png,
-};
-use trimline::tessellate::Scene;
+use clap::Args;
 
 use crate::Outcome;
+use crate::drawing::{Drawing, kind_of};
 use crate::failure::{Failure, say};
-use crate::options::{Terminal, option_finding, read_grid};
-use crate::output::Files;
-use crate::scenes::{Meshing, Progress, Quantity, Scenes};
+use crate::options::Terminal;
+use crate::scenes::{Meshing, Quantity, Scenes};
 
 #[derive(Args)]
 pub struct Arguments {
@@ -29,191 +22,35 @@ pub struct Arguments {
     #[arg(long, short, value_name = "FILE")]
     output: PathBuf,
 
-    /// What the colours mean.
-    #[arg(long, value_enum, default_value_t = Coloring::Plain)]
-    shade: Coloring,
-
-    /// Lines of constant u and v that divide each patch into N x M parts.
-    #[arg(long, value_name = "NxM")]
-    lines: Option<String>,
-
-    /// The viewer: degrees around z and above the plane of x and y, and how much larger than life.
-    #[arg(long, value_name = "AZIMUTH,ELEVATION[,ZOOM]", default_value = "-60,25,1", allow_hyphen_values = true)]
-    camera: String,
-
-    /// Width and height of a picture in pixels [default: 800x600, on a sheet 320x240].
-    #[arg(long, value_name = "WxH")]
-    size: Option<String>,
-
-    /// One picture after the other, 25 unless --frames says how many.
-    #[arg(long)]
-    animate: bool,
-
-    /// Pictures in a second of an animation.
-    #[arg(long, value_name = "N", default_value_t = 25, value_parser = clap::value_parser!(u16).range(1..=100))]
-    fps: u16,
-}
-
-/// What the colours mean.
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Coloring {
-    /// Nothing but light; the inside has another colour.
-    Plain,
-    /// Reflected stripes, which show creases and jumps of curvature.
-    Zebra,
-    /// Mean curvature.
-    Curvature,
-    /// Gaussian curvature.
-    Gaussian,
-    /// Residual of the equation over its largest term.
-    Residual,
-    /// The parameter u.
-    U,
-    /// The parameter v.
-    V,
-}
-
-impl Coloring {
-    /// How the renderer shades, and the field it shades by.
-    fn meaning(self) -> (Shade, Option<(Quantity, &'static str)>) {
-        match self {
-            Coloring::Plain => (Shade::Plain, None),
-            Coloring::Zebra => (Shade::Zebra, None),
-            Coloring::Curvature => (Shade::SignedField, Some((Quantity::Curvature, "mean_curvature"))),
-            Coloring::Gaussian => (Shade::SignedField, Some((Quantity::Curvature, "gaussian_curvature"))),
-            Coloring::Residual => (Shade::Field, Some((Quantity::Residual, "residual"))),
-            Coloring::U => (Shade::U, None),
-            Coloring::V => (Shade::V, None),
-        }
-    }
-}
-
-/// The kind of file.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Kind {
-    Png,
-    Gif,
+    #[command(flatten)]
+    drawing: Drawing,
 }
 
 /// Pictures of an animation, unless the user says how many.
 const ANIMATION_FRAMES: usize = 25;
 
 pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
-    let kind = kind_of(&arguments.output)?;
-    let frames = arguments.meshing.frames.or(arguments.animate.then_some(ANIMATION_FRAMES));
-    if arguments.animate && arguments.meshing.solving.time.is_some() {
+    kind_of(&arguments.output)?;
+    let drawing = &arguments.drawing;
+    let frames = arguments.meshing.frames.or(drawing.animate.then_some(ANIMATION_FRAMES));
+    if drawing.animate && arguments.meshing.solving.time.is_some() {
         return Err(Failure::Usage("--animate shows the whole time domain; leave out --time".to_owned()));
     }
-    let (shade, field) = arguments.shade.meaning();
-    let style = style(arguments, shade, frames)?;
-    let quantities: Vec<Quantity> = field.iter().map(|(quantity, _)| *quantity).collect();
+    let style = drawing.style(frames)?;
+    let quantities: Vec<Quantity> = drawing.quantity().into_iter().collect();
     let mut scenes = Scenes::read(&arguments.spec, &arguments.meshing, &quantities)?;
     let times = scenes.times(frames, arguments.meshing.solving.time)?;
-    style.check(times.len(), &scenes.spec.limits).map_err(|finding| about_option(arguments, style.size, finding))?;
-    let mut instants = scenes.all(&times, terminal)?;
-    if let Some((_, name)) = field {
-        let meshes = instants.iter_mut().flat_map(|scene| &mut scene.meshes);
-        meshes.for_each(|mesh| mesh.fields.retain(|field| field.name == name));
-    }
-    let renderer =
-        Renderer::new(&instants, &style, &scenes.spec.limits).map_err(|finding| scenes.spec.fault(finding))?;
-    let mut files = Files::default();
-    let mut out = BufWriter::new(files.create(&arguments.output)?);
-    draw(arguments, kind, &renderer, &instants, (&mut out, terminal))
-        .and_then(|()| out.flush())
-        .map_err(|error| Failure::Machine(format!("cannot write `{}`: {error}", arguments.output.display())))?;
-    drop(out);
-    files.keep()?;
+    drawing.check(&style, times.len(), &scenes.spec.limits)?;
+    let instants = scenes.all(&times, terminal)?;
+    let spec = &scenes.spec;
+    drawing.write(&arguments.output, instants, (&style, &spec.limits), |finding| spec.fault(finding), terminal)?;
     if !terminal.quiet {
         let what = match times.as_slice() {
             [time] => format!("at t = {time}"),
-            _ if arguments.animate => format!("with {} frames", times.len()),
+            _ if drawing.animate => format!("with {} frames", times.len()),
             _ => format!("with {} pictures", times.len()),
         };
         say(&format!("wrote {} {what}", arguments.output.display()));
     }
     Ok(())
-}
-
-fn draw(
-    arguments: &Arguments,
-    kind: Kind,
-    renderer: &Renderer,
-    instants: &[Scene],
-    (out, terminal): (&mut dyn Write, &Terminal),
-) -> std::io::Result<()> {
-    let progress = Progress::new(instants.len(), terminal);
-    let pictures = instants.iter().map(|scene| {
-        let picture = renderer.draw(scene);
-        progress.advance();
-        picture
-    });
-    if arguments.animate {
-        let pictures = pictures.map(std::io::Result::Ok);
-        let count = u32::try_from(instants.len()).map_err(std::io::Error::other)?;
-        match kind {
-            Kind::Png => write_apng(pictures, count, arguments.fps, out)?,
-            Kind::Gif => write_gif(pictures, arguments.fps, out)?,
-        }
-    } else {
-        let sheet = contact_sheet(&pictures.collect::<Vec<Picture>>());
-        match kind {
-            Kind::Png => write_png(&sheet, out)?,
-            Kind::Gif => write_gif_still(sheet, out)?,
-        }
-    }
-    progress.finish();
-    Ok(())
-}
-
-fn style(arguments: &Arguments, shade: Shade, frames: Option<usize>) -> Result<Style, Failure> {
-    let is_sheet = frames.is_some_and(|frames| frames > 1) && !arguments.animate;
-    let size = match &arguments.size {
-        Some(size) => {
-            let wrong = |_| Failure::Usage(format!("`{size}` is not a size: write WxH, for example 800x600"));
-            read_grid(size).map_err(wrong)?
-        }
-        None if is_sheet => (320, 240),
-        None => (800, 600),
-    };
-    let lines = match &arguments.lines {
-        None => None,
-        Some(lines) => {
-            let wrong = |_| Failure::Usage(format!("`{lines}` are no lines: write NxM, for example 8x16"));
-            Some(read_grid(lines).map_err(wrong)?)
-        }
-    };
-    Ok(Style { shade, camera: camera(&arguments.camera)?, size, lines, is_labelled: frames.is_some() })
-}
-
-fn camera(text: &str) -> Result<Camera, Failure> {
-    let numbers: Result<Vec<f64>, _> = text.split(',').map(|number| number.trim().parse()).collect();
-    match numbers.as_deref() {
-        Ok([azimuth, elevation]) => Ok(Camera { azimuth: *azimuth, elevation: *elevation, zoom: 1.0 }),
-        Ok([azimuth, elevation, zoom]) => Ok(Camera { azimuth: *azimuth, elevation: *elevation, zoom: *zoom }),
-        _ => {
-            let message = format!("`{text}` is no camera: write AZIMUTH,ELEVATION or AZIMUTH,ELEVATION,ZOOM");
-            Err(Failure::Usage(format!("{message}, for example -60,25,1.5")))
-        }
-    }
-}
-
-/// A finding about the style, shown in the option that it is about.
-fn about_option(arguments: &Arguments, (width, height): (usize, usize), finding: Diagnostic) -> Failure {
-    let size = format!("{width}x{height}");
-    let (option, value) = match &arguments.lines {
-        _ if finding.message.contains("camera") => ("camera", arguments.camera.as_str()),
-        Some(lines) if finding.message.contains("lines") => ("lines", lines.as_str()),
-        _ => ("size", size.as_str()),
-    };
-    option_finding(option, value, finding)
-}
-
-fn kind_of(path: &Path) -> Result<Kind, Failure> {
-    let extension = path.extension().map(|extension| extension.to_string_lossy().to_lowercase()).unwrap_or_default();
-    match extension.as_str() {
-        "png" => Ok(Kind::Png),
-        "gif" => Ok(Kind::Gif),
-        _ => Err(Failure::Usage(format!("`{}` is no picture; write .png or .gif", path.display()))),
-    }
 }

@@ -16,6 +16,7 @@ use trimline::syntax;
 use trimline::verify::Verification;
 
 use crate::failure::Failure;
+use crate::files;
 use crate::options::{Reading, Solving, option_finding};
 use crate::parts::Located;
 
@@ -55,24 +56,35 @@ pub struct Solved {
 impl Spec {
     /// Reads `path`, or standard input for `-`.
     pub fn read(path: &str, reading: &Reading) -> Result<Spec, Failure> {
-        let limits = reading.limits()?;
         let start = Instant::now();
-        let source = read_source(path, &limits)?;
-        let spec = Spec::of(source, reading)?;
+        let spec = Spec::of(read_source(path, &reading.limits()?)?, reading)?;
         Ok(Spec { parse_seconds: start.elapsed().as_secs_f64(), ..spec })
     }
 
-    /// Reads a text.
+    /// As [`Spec::read`], with all patches and nets whichever the user asked for.
+    pub fn read_whole(path: &str, reading: &Reading) -> Result<Spec, Failure> {
+        Spec::whole(read_source(path, &reading.limits()?)?, reading)
+    }
+
+    /// Reads a text; its data files lie beside the path that is its name.
     pub fn of(source: Source, reading: &Reading) -> Result<Spec, Failure> {
+        let spec = Spec::whole(source, reading)?;
+        let (patches, nets) = select(&spec.problem, reading.patch.as_deref())?;
+        Ok(Spec { patches, nets, ..spec })
+    }
+
+    fn whole(source: Source, reading: &Reading) -> Result<Spec, Failure> {
         let limits = reading.limits()?;
         let start = Instant::now();
-        let document = syntax::parse(&source, &limits).map_err(|findings| Failure::found(&source, findings))?;
+        let mut document = syntax::parse(&source, &limits).map_err(|findings| Failure::found(&source, findings))?;
+        let attached = document.attach_files(&limits, |file| files::read(&source.name, file, limits.file_bytes));
+        attached.map_err(|findings| Failure::found(&source, findings))?;
         let stem = Path::new(&source.name).file_stem();
         let stem = stem.map_or_else(|| source.name.clone(), |stem| stem.to_string_lossy().into_owned());
         let problem = resolve(&document, &stem, &limits).map_err(|findings| Failure::found(&source, findings))?;
         let warnings = review(&document, &problem);
         let (problem, bindings) = with_values(problem, &source, &reading.set, &limits)?;
-        let (patches, nets) = select(&problem, reading.patch.as_deref())?;
+        let (patches, nets) = (problem.patches.clone(), problem.nets.clone());
         let parse_seconds = start.elapsed().as_secs_f64();
         Ok(Spec { source, limits, problem, bindings, patches, nets, warnings, parse_seconds })
     }
@@ -216,7 +228,7 @@ fn overridden(source: &Source, changes: &[String], finding: Diagnostic) -> Failu
 }
 
 /// The patches and the nets, or the one that is called `name`.
-fn select(problem: &Problem, name: Option<&str>) -> Result<(Vec<Patch>, Vec<Net>), Failure> {
+pub fn select(problem: &Problem, name: Option<&str>) -> Result<(Vec<Patch>, Vec<Net>), Failure> {
     let Some(name) = name else { return Ok((problem.patches.clone(), problem.nets.clone())) };
     let patches: Vec<Patch> = problem.patches.iter().filter(|patch| patch.name == name).cloned().collect();
     let nets: Vec<Net> = problem.nets.iter().filter(|net| net.name == name).cloned().collect();

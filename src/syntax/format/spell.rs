@@ -9,8 +9,8 @@ use crate::syntax::RESERVED_WORDS;
 
 /// Statements whose words are names of the document.
 const OF_NAMES: &[&str] = &[
-    "param", "let", "domain", "pde", "at", "surface", "patch", "join", "seam", "deform", "bspline", "knots", "net",
-    "layer",
+    "param", "let", "domain", "pde", "at", "surface", "patch", "join", "seam", "deform", "curve", "morph", "bspline",
+    "knots", "net", "layer",
 ];
 
 /// Spells the tokens of `lines` in `alphabet`.

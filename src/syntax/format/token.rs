@@ -123,6 +123,7 @@ fn measure(rest: &str) -> (Option<Kind>, usize) {
         // At the start of a file, a habit of editors.
         '\u{feff}' => return (None, one),
         _ if first.is_whitespace() => return (None, one),
+        '"' => return (Some(Kind::Other), quoted(rest)),
         '#' => return (Some(Kind::Comment), rest.find('\n').unwrap_or(rest.len())),
         '*' if rest.starts_with("**") => return (Some(Kind::Operator), 2),
         'π' | 'ϖ' => return (Some(Kind::Word), one + superscripts(rest.get(one..).unwrap_or(""))),
@@ -145,6 +146,12 @@ fn measure(rest: &str) -> (Option<Kind>, usize) {
         _ => Kind::Other,
     };
     (Some(kind), one)
+}
+
+/// The length of a text in quotes, which end on its line.
+fn quoted(rest: &str) -> usize {
+    let line = rest.split('\n').next().unwrap_or(rest);
+    line.get(1..).and_then(|tail| tail.find('"')).map_or(1, |end| end + 2)
 }
 
 /// The length of a name, or of a derivative with `also`.

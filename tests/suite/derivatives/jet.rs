@@ -39,6 +39,7 @@ pub fn jet(graph: &Graph, expr: ExprId, symbols: &[f64], point: [f64; 3], direct
             let exponent = jet(graph, *exponent, symbols, point, direction)?;
             Some(exp(&times(&exponent, &ln(&base))))
         }
+        Node::Spline(..) => None,
         Node::Call(function, arguments) => {
             let arguments: Option<Vec<Jet>> =
                 arguments.iter().map(|&argument| jet(graph, argument, symbols, point, direction)).collect();

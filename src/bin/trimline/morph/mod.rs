@@ -1,4 +1,4 @@
-//! `trimline morph`: the shapes between two specs.
+//! `trimline morph`: the shapes between two specs, or between patches of one (`morph from A to B`).
 
 mod shapes;
 
@@ -14,30 +14,32 @@ use trimline::morph::{Frame, Kind, Sequence};
 use trimline::tessellate::{Grid, Scene};
 
 use crate::Outcome;
+use crate::drawing::{Drawing, is_picture};
 use crate::eval::{print_table, read_derivatives, read_table};
 use crate::failure::{Failure, print_warnings, say};
 use crate::mesh::{Series, format_of, write_animation};
 use crate::options::{Format, Solving, Terminal, option_finding, read_grid};
 use crate::output;
 
-use shapes::{Shapes, Surfaces, about};
+use shapes::{Pair, Shapes, Surfaces, about};
 
 #[derive(Args)]
 pub struct Arguments {
-    /// The spec of the first shape, or `-`.
+    /// The spec of the first shape, or `-`; alone, a spec that states `morph from A to B`.
     source: String,
 
     /// The spec of the last shape: the same patches, equations and places of constraints.
-    target: String,
+    target: Option<String>,
 
     #[command(flatten)]
     solving: Solving,
 
-    /// What changes from frame to frame.
-    #[arg(long, value_enum, default_value_t = By::Boundary)]
-    by: By,
+    /// What changes from frame to frame [default: what the spec states, else boundary].
+    #[arg(long, value_enum)]
+    by: Option<By>,
 
-    /// Frames between source and target [default: 9; with modes as many as both have, with both one more].
+    /// Frames between source and target [default: what the spec states, else 9; with modes as many as both have, with
+    /// both one more].
     #[arg(long, value_name = "M")]
     steps: Option<usize>,
 
@@ -49,13 +51,16 @@ pub struct Arguments {
     #[arg(long, value_name = "EPS")]
     at: Option<f64>,
 
-    /// Meshes of all frames, or of one; with --points the table.
+    /// Meshes or pictures of all frames, or of one, by the file's extension; with --points the table.
     #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
 
     /// Quads across (u) and along (v).
     #[arg(long, value_name = "NUxNV", default_value = "64x128")]
     grid: String,
+
+    #[command(flatten)]
+    drawing: Drawing,
 
     /// A CSV file with a header that names u, v and, with several patches, patch; needs --frame or --at.
     #[arg(long, value_name = "FILE")]
@@ -82,6 +87,14 @@ enum By {
 }
 
 impl By {
+    fn of(kind: Kind) -> By {
+        match kind {
+            Kind::Boundary => By::Boundary,
+            Kind::Modes => By::Modes,
+            Kind::Both => By::Both,
+        }
+    }
+
     fn kind(self) -> Kind {
         match self {
             By::Boundary => Kind::Boundary,
@@ -112,19 +125,21 @@ struct FrameReport {
 }
 
 pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
-    if arguments.source == "-" && arguments.target == "-" {
-        return Err(Failure::Usage("source and target cannot both come from standard input".to_owned()));
-    }
-    let kind = arguments.by.kind();
-    let mut shapes = Shapes::read([&arguments.source, &arguments.target], kind, &arguments.solving)?;
-    let sequence = Sequence::new(kind, arguments.steps, shapes.modes, &shapes.spec.limits)
-        .map_err(|finding| about("steps", arguments.steps, finding))?;
+    let pair = Pair::read(&arguments.source, arguments.target.as_deref(), &arguments.solving)?;
+    let kind = arguments.by.map_or(pair.kind, By::kind);
+    let steps = arguments.steps.or(pair.steps);
+    let mut shapes = Shapes::of(pair, kind, &arguments.solving)?;
+    let sequence = Sequence::new(kind, steps, shapes.modes, &shapes.spec.limits)
+        .map_err(|finding| about("steps", steps, finding))?;
     let chosen = chosen(arguments, &sequence, &mut shapes)?;
     for (spec, warnings) in &shapes.warnings {
         print_warnings(warnings, &spec.source, terminal);
     }
     match (chosen, &arguments.points) {
-        (Some(surfaces), Some(points)) => table(arguments, &shapes, &surfaces, points),
+        (Some(frame), Some(points)) => {
+            let derivatives = read_derivatives(&arguments.derivatives, shapes.spec.limits.derivative_order)?;
+            table(&shapes, &frame.surfaces, (points, &derivatives), arguments.output.as_deref())
+        }
         (None, Some(_)) => Err(Failure::Usage("points lie on one surface: choose it with --frame or --at".to_owned())),
         (Some(surfaces), None) => match &arguments.output {
             Some(path) => write(arguments, path, &shapes, &[surfaces], terminal),
@@ -135,7 +150,7 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
 }
 
 /// The surfaces of the one frame that the user asks for.
-fn chosen(arguments: &Arguments, sequence: &Sequence, shapes: &mut Shapes<'_>) -> Result<Option<Surfaces>, Failure> {
+fn chosen(arguments: &Arguments, sequence: &Sequence, shapes: &mut Shapes<'_>) -> Result<Option<Framed>, Failure> {
     if let Some(index) = arguments.frame {
         let last = sequence.steps() + 1;
         if index > last {
@@ -145,36 +160,30 @@ fn chosen(arguments: &Arguments, sequence: &Sequence, shapes: &mut Shapes<'_>) -
             );
             return Err(option_finding("frame", &index.to_string(), finding.hint("frame 0 is the source")));
         }
-        return shapes.surfaces(sequence, index).map(Some);
+        let surfaces = shapes.surfaces(sequence, index)?;
+        return Ok(Some(Framed { epsilon: frame_at(sequence, index).epsilon, surfaces }));
     }
     let Some(epsilon) = arguments.at else { return Ok(None) };
-    if !(0.0..=1.0).contains(&epsilon) {
-        let finding = Diagnostic::new(Code::SettingOutOfRange, format!("{epsilon} lies outside [0, 1]"));
-        let finding = finding.hint("0 is the source, 1 the target");
-        return Err(option_finding("at", &epsilon.to_string(), finding));
-    }
-    let frame = sequence.at(epsilon).ok_or_else(|| {
-        Failure::Usage("a morph by modes has no weight that --at could set: choose a frame with --frame".to_owned())
-    })?;
-    shapes.between(frame).map(Some)
+    let frame = at_weight(sequence, "at", epsilon)?;
+    Ok(Some(Framed { epsilon, surfaces: shapes.between(frame)? }))
 }
 
 /// All frames: the report, and the file if one is wanted.
 fn all(arguments: &Arguments, shapes: &mut Shapes<'_>, sequence: &Sequence, terminal: &Terminal) -> Outcome {
     let last = sequence.steps() + 1;
-    let mut frames: Vec<Surfaces> = Vec::with_capacity(last + 1);
+    let mut frames: Vec<Framed> = Vec::with_capacity(last + 1);
     let mut steps = Vec::with_capacity(last);
     for index in 0..=last {
         let surfaces = shapes.surfaces(sequence, index)?;
         if let Some(before) = frames.last() {
-            steps.push(shapes.step(before, &surfaces)?);
+            steps.push(shapes.step(&before.surfaces, &surfaces)?);
         }
-        frames.push(surfaces);
+        frames.push(Framed { epsilon: frame_at(sequence, index).epsilon, surfaces });
     }
     if let Some(path) = &arguments.output {
         write(arguments, path, shapes, &frames, terminal)?;
     }
-    let report = report(arguments.by, sequence, &steps);
+    let report = report(By::of(sequence.kind()), sequence, &steps);
     match arguments.format {
         Format::Json => output::print_json(&report),
         Format::Text if arguments.output.is_none() => output::print(&text(&report)),
@@ -187,16 +196,20 @@ fn all(arguments: &Arguments, shapes: &mut Shapes<'_>, sequence: &Sequence, term
     }
 }
 
+/// Source and target are as their specs ask.
+fn frame_at(sequence: &Sequence, index: usize) -> Frame {
+    match index {
+        0 => Frame { epsilon: 0.0, modes: None },
+        _ if index > sequence.steps() => Frame { epsilon: 1.0, modes: None },
+        _ => sequence.frame(index),
+    }
+}
+
 fn report(by: By, sequence: &Sequence, steps: &[f64]) -> Report {
     let last = sequence.steps() + 1;
-    let frame = |index: usize| match index {
-        0 => Frame { epsilon: 0.0, modes: None },
-        _ if index == last => Frame { epsilon: 1.0, modes: None },
-        _ => sequence.frame(index),
-    };
     let step_to = |index: usize| index.checked_sub(1).and_then(|before| steps.get(before)).copied();
     let frames = (0..=last).map(|index| {
-        let Frame { epsilon, modes } = frame(index);
+        let Frame { epsilon, modes } = frame_at(sequence, index);
         FrameReport { epsilon, modes, step: step_to(index) }
     });
     let inner = steps.get(1..steps.len().saturating_sub(1)).unwrap_or_default();
@@ -221,8 +234,12 @@ fn text(report: &Report) -> String {
 }
 
 /// Positions and derivatives of one frame at the points of a table.
-fn table(arguments: &Arguments, shapes: &Shapes<'_>, surfaces: &Surfaces, points: &str) -> Outcome {
-    let derivatives = read_derivatives(&arguments.derivatives, shapes.spec.limits.derivative_order)?;
+fn table(
+    shapes: &Shapes<'_>,
+    surfaces: &Surfaces,
+    (points, derivatives): (&str, &[Derivative]),
+    output: Option<&Path>,
+) -> Outcome {
     let table = read_table(points, Some(shapes.time), &shapes.patched, shapes.spec.limits.samples)?;
     let mut columns = Vec::with_capacity(derivatives.len() + 1);
     for derivative in std::iter::once(Derivative::NONE).chain(derivatives.iter().copied()) {
@@ -241,11 +258,68 @@ fn table(arguments: &Arguments, shapes: &Shapes<'_>, surfaces: &Surfaces, points
         }
         columns.push(column);
     }
-    print_table(&table, &derivatives, &columns, arguments.output.as_deref())
+    print_table(&table, derivatives, &columns, output)
 }
 
-/// Meshes of frames: one file, or a numbered one each.
-fn write(arguments: &Arguments, path: &Path, shapes: &Shapes<'_>, frames: &[Surfaces], terminal: &Terminal) -> Outcome {
+/// A shape of a spec's own morph at points of a table: what `eval --morph` does.
+pub fn evaluate(
+    spec: &str,
+    solving: &Solving,
+    epsilon: f64,
+    (points, derivatives): (&str, &[Derivative]),
+    output: Option<&Path>,
+    terminal: &Terminal,
+) -> Outcome {
+    let pair = Pair::read(spec, None, solving)?;
+    let (kind, steps) = (pair.kind, pair.steps);
+    let mut shapes = Shapes::of(pair, kind, solving)?;
+    let sequence = Sequence::new(kind, steps, shapes.modes, &shapes.spec.limits)
+        .map_err(|finding| about("steps", steps, finding))?;
+    let surfaces = shapes.between(at_weight(&sequence, "morph", epsilon)?)?;
+    for (spec, warnings) in &shapes.warnings {
+        print_warnings(warnings, &spec.source, terminal);
+    }
+    table(&shapes, &surfaces, (points, derivatives), output)
+}
+
+/// The frame at a weight that the user names by `option`.
+fn at_weight(sequence: &Sequence, option: &str, epsilon: f64) -> Result<Frame, Failure> {
+    if !(0.0..=1.0).contains(&epsilon) {
+        let finding = Diagnostic::new(Code::SettingOutOfRange, format!("{epsilon} lies outside [0, 1]"));
+        let finding = finding.hint("0 is the source, 1 the target");
+        return Err(option_finding(option, &epsilon.to_string(), finding));
+    }
+    sequence.at(epsilon).ok_or_else(|| {
+        let message = format!("a morph by modes has no weight that --{option} could set");
+        Failure::Usage(format!("{message}: choose a frame with `morph … --frame`"))
+    })
+}
+
+/// The surfaces of a frame, and the weight of the target there.
+struct Framed {
+    epsilon: f64,
+    surfaces: Surfaces,
+}
+
+/// Pictures of frames: one, a sheet or an animation.
+fn draw(arguments: &Arguments, path: &Path, shapes: &Shapes<'_>, frames: &[Framed], terminal: &Terminal) -> Outcome {
+    let (drawing, limits) = (&arguments.drawing, &shapes.spec.limits);
+    let style = drawing.style((frames.len() > 1).then_some(frames.len()))?;
+    drawing.check(&style, frames.len(), limits)?;
+    let scenes = scenes(arguments, shapes, frames, terminal)?;
+    drawing.write(path, scenes, (&style, limits), |finding| shapes.spec.fault(finding), terminal)?;
+    if !terminal.quiet {
+        let what = if drawing.animate { "frames" } else { "pictures" };
+        say(&format!("wrote {} with {} {what}", path.display(), frames.len()));
+    }
+    Ok(())
+}
+
+/// Pictures or meshes of frames: one file, or a numbered one each.
+fn write(arguments: &Arguments, path: &Path, shapes: &Shapes<'_>, frames: &[Framed], terminal: &Terminal) -> Outcome {
+    if is_picture(path) {
+        return draw(arguments, path, shapes, frames, terminal);
+    }
     let format = format_of(path)?;
     let scenes = scenes(arguments, shapes, frames, terminal)?;
     let (written, notes) = if format.is_animated() {
@@ -274,7 +348,7 @@ fn write(arguments: &Arguments, path: &Path, shapes: &Shapes<'_>, frames: &[Surf
 fn scenes(
     arguments: &Arguments,
     shapes: &Shapes<'_>,
-    frames: &[Surfaces],
+    frames: &[Framed],
     terminal: &Terminal,
 ) -> Result<Vec<Scene>, Failure> {
     let limits = &shapes.spec.limits;
@@ -291,7 +365,11 @@ fn scenes(
     }
     let cut = |grid: Grid| -> Result<Vec<(Scene, Vec<Diagnostic>)>, Failure> {
         let share = |index: usize| index as f64 / frames.len().saturating_sub(1).max(1) as f64;
-        frames.iter().enumerate().map(|(index, surfaces)| shapes.scene(surfaces, grid, share(index))).collect()
+        let quantity = arguments.drawing.quantity();
+        let scene = |(index, frame): (usize, &Framed)| {
+            shapes.scene(&frame.surfaces, (grid, quantity), frame.epsilon, share(index))
+        };
+        frames.iter().enumerate().map(scene).collect()
     };
     let mut scenes = cut(grid)?;
     let closes = |scene: &Scene| scene.meshes.iter().map(|mesh| mesh.is_closed_in_v).collect::<Vec<_>>();

@@ -5,15 +5,17 @@ use std::sync::Arc;
 
 use trimline::diagnostic::{Code, Diagnostic, Diagnostics};
 use trimline::method::Settings;
-use trimline::morph::{Frame, Kind, Sequence, WeightedSurface, distance, interpolate};
+use trimline::morph::{Frame, Kind, Sequence, WeightedSurface, distance, ends, interpolate};
 use trimline::problem::{Bindings, SolveRequest};
 use trimline::surface::Surface;
-use trimline::tessellate::{Grid, Scene, tessellate};
+use trimline::tessellate::{Field, Grid, Mesh, Scene, curvatures, tessellate};
+use trimline::verify::residuals;
 
 use crate::failure::Failure;
 use crate::options::{Solving, option_finding};
 use crate::parts::Located;
-use crate::workflow::{Patched, Spec, common_times};
+use crate::scenes::Quantity;
+use crate::workflow::{Patched, Spec, common_times, select};
 
 /// The method whose modes a morph takes away and adds.
 const SERIES: &str = "fourier";
@@ -41,6 +43,45 @@ pub struct Shapes<'a> {
     prepared: BTreeMap<Preparation, Patched>,
 }
 
+/// Two specs, or one that states a morph, and what it states.
+pub struct Pair {
+    ends: [Spec; 2],
+    pub kind: Kind,
+    pub steps: Option<usize>,
+}
+
+impl Pair {
+    /// Reads both specs, or the one that stands alone.
+    pub fn read(source: &str, target: Option<&str>, solving: &Solving) -> Result<Pair, Failure> {
+        match target {
+            Some("-") if source == "-" => {
+                Err(Failure::Usage("source and target cannot both come from standard input".to_owned()))
+            }
+            Some(target) => {
+                let ends = [Spec::read(source, &solving.reading)?, Spec::read(target, &solving.reading)?];
+                Ok(Pair { ends, kind: Kind::Boundary, steps: None })
+            }
+            None => Pair::of(&Spec::read_whole(source, &solving.reading)?, solving.reading.patch.as_deref()),
+        }
+    }
+
+    /// The ends of the morph that a spec states; of the patch `only` alone, if there is one.
+    fn of(spec: &Spec, only: Option<&str>) -> Result<Pair, Failure> {
+        let (Some(ends), Some(request)) = (ends(&spec.problem), &spec.problem.morph) else {
+            let message = "the spec states no `morph from A to B`: name a second spec, or two of its patches";
+            return Err(Failure::Usage(message.to_owned()));
+        };
+        let [source, target] = ends.map(|problem| {
+            // Nets of the document are no part of the morph.
+            let (patches, nets) = (select(&problem, only)?.0, Vec::new());
+            Ok::<Spec, Failure>(Spec { problem, patches, nets, warnings: Diagnostics::new(), ..spec.clone() })
+        });
+        let mut source = source?;
+        source.warnings.clone_from(&spec.warnings);
+        Ok(Pair { ends: [source, target?], kind: request.kind.unwrap_or(Kind::Boundary), steps: request.steps })
+    }
+}
+
 /// One shape, solved as its spec asks.
 struct End {
     spec: Spec,
@@ -52,10 +93,10 @@ struct End {
 }
 
 impl<'a> Shapes<'a> {
-    pub fn read(paths: [&str; 2], kind: Kind, solving: &'a Solving) -> Result<Shapes<'a>, Failure> {
-        let [source, target] = paths;
-        let source = End::read(source, kind, solving)?;
-        let target = End::read(target, kind, solving)?;
+    pub fn of(pair: Pair, kind: Kind, solving: &'a Solving) -> Result<Shapes<'a>, Failure> {
+        let [source, target] = pair.ends;
+        let source = End::solve(source, kind, solving)?;
+        let target = End::solve(target, kind, solving)?;
         let interpolated = interpolate(&source.spec.problem, &target.spec.problem, &source.spec.limits);
         let mut problem = interpolated.map_err(|finding| source.spec.fault(finding))?;
         if kind != Kind::Boundary {
@@ -90,7 +131,7 @@ impl<'a> Shapes<'a> {
 
     /// A frame between the shapes.
     pub fn between(&mut self, frame: Frame) -> Result<Surfaces, Failure> {
-        let here = self.spec.with(&[format!("{}={:?}", trimline::morph::EPSILON, frame.epsilon)])?;
+        let here = self.at(frame.epsilon)?;
         let mut surfaces = Surfaces::new();
         for patch in 0..self.spec.patches.len() {
             let mut parts: Vec<(f64, Arc<dyn Surface + Send + Sync>)> = Vec::new();
@@ -138,23 +179,57 @@ impl<'a> Shapes<'a> {
     }
 
     /// A frame as meshes, shown at instant `shown` of its file, and what is to be said about them.
-    pub fn scene(&self, surfaces: &Surfaces, grid: Grid, shown: f64) -> Result<(Scene, Diagnostics), Failure> {
+    pub fn scene(
+        &self,
+        surfaces: &Surfaces,
+        (grid, quantity): (Grid, Option<Quantity>),
+        epsilon: f64,
+        shown: f64,
+    ) -> Result<(Scene, Diagnostics), Failure> {
         let (mut meshes, mut warnings) = (Vec::new(), Diagnostics::new());
-        for (surface, patch) in surfaces.iter().zip(&self.patched) {
+        for (index, (surface, patch)) in surfaces.iter().zip(&self.patched).enumerate() {
             let ranges = (patch.prepared.domain.u, patch.prepared.domain.v);
             let name = &patch.prepared.patch().name;
-            let (mesh, notes) =
+            let (mut mesh, notes) =
                 tessellate(name, &**surface, ranges, self.time, grid).map_err(|finding| self.spec.fault(finding))?;
+            mesh.fields = self.fields(quantity, (index, &**surface), epsilon, &mesh)?;
             meshes.push(mesh);
             warnings.extend(notes);
         }
         Ok((Scene { meshes, time: shown }, warnings))
     }
+
+    /// The numbers at the vertices of patch number `index`, whose equation is that between the shapes.
+    fn fields(
+        &self,
+        quantity: Option<Quantity>,
+        (index, surface): (usize, &dyn Surface),
+        epsilon: f64,
+        mesh: &Mesh,
+    ) -> Result<Vec<Field>, Failure> {
+        let fields = match quantity {
+            None => Ok(Vec::new()),
+            Some(Quantity::Curvature) => curvatures(surface, mesh, self.time).map(Vec::from_iter),
+            Some(Quantity::Residual) => {
+                let here = self.at(epsilon)?;
+                let Some(patch) = here.patches.get(index) else { return Ok(Vec::new()) };
+                let (u, v) = mesh.axes();
+                let points = (u.as_slice(), v.as_slice(), self.time);
+                let values = residuals(&here.problem, patch, surface, &here.bindings, points);
+                values.map(|values| vec![Field { name: "residual", values }])
+            }
+        };
+        fields.map_err(|finding| self.spec.fault(finding))
+    }
+
+    /// The problem between, at a weight of the target.
+    fn at(&self, epsilon: f64) -> Result<Spec, Failure> {
+        self.spec.with(&[format!("{}={epsilon:?}", trimline::morph::EPSILON)])
+    }
 }
 
 impl End {
-    fn read(path: &str, kind: Kind, solving: &Solving) -> Result<End, Failure> {
-        let mut spec = Spec::read(path, &solving.reading)?;
+    fn solve(mut spec: Spec, kind: Kind, solving: &Solving) -> Result<End, Failure> {
         spec.without_nets("morph")?;
         if solving.method.is_some() {
             spec.patches.iter_mut().for_each(|patch| patch.solve = SolveRequest::default());

@@ -14,7 +14,7 @@ use trimline::diagnostic::Diagnostic;
 use trimline::emit::amplitude_series;
 use trimline::eval::{Op, OpId, Program};
 use trimline::export::Format;
-use trimline::expr::{Derivative, ExprId, Graph, Notation, unicode_name};
+use trimline::expr::{Derivative, ExprId, Graph, Notation, SplineCall, unicode_name};
 use trimline::limits::Limits;
 use trimline::method::Solution;
 use trimline::numeric::ChebyshevSeries;
@@ -328,7 +328,8 @@ fn series(series: ChebyshevSeries) -> Series {
     Series { range: series.range, coefficients: series.coefficients }
 }
 
-/// `{"ops": [["const", 0.8], ["v"], ["sin", 1], ["mul", 0, 2]], "outputs": [3]}`: operands are positions in the list.
+/// `{"ops": [["const", 0.8], ["v"], ["sin", 1], ["mul", 0, 2]], "outputs": [3]}`: operands are positions in the
+/// list. `["spline", a, b, i]` is spline i at one or two of them, `b` being null for one.
 fn program(program: &Program) -> Value {
     let op = |op: &Op| match op.map(OpId::index) {
         Op::Constant(value) => json!(["const", value]),
@@ -342,7 +343,25 @@ fn program(program: &Program) -> Value {
         Op::Sqrt(a) => json!(["sqrt", a]),
         Op::Call1(function, a) => json!([function.row().name, a]),
         Op::Call2(function, a, b) => json!([function.row().name, a, b]),
+        Op::Spline1(index, a) => json!(["spline", a, null, index]),
+        Op::Spline2(index, a, b) => json!(["spline", a, b, index]),
     };
     let outputs = program.output_ops().iter().map(|id| id.index());
-    json!({ "ops": program.ops().iter().map(op).collect::<Vec<_>>(), "outputs": outputs.collect::<Vec<_>>() })
+    json!({
+        "ops": program.ops().iter().map(op).collect::<Vec<_>>(),
+        "outputs": outputs.collect::<Vec<_>>(),
+        "splines": program.splines().iter().map(spline).collect::<Vec<_>>(),
+    })
+}
+
+/// The data of a spline and the orders of its derivative.
+fn spline(call: &SplineCall) -> Value {
+    let axis = |index: usize| {
+        json!({
+            "degree": call.spline.degree(index),
+            "breaks": call.spline.breaks(index),
+            "periodic": call.spline.is_periodic(index),
+        })
+    };
+    json!({ "orders": call.orders, "axes": [axis(0), axis(1)], "coefficients": call.spline.coefficients() })
 }

@@ -4,6 +4,8 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use tokio::sync::watch;
 
+use trimline::limits::Limits;
+
 use crate::failure::Failure;
 use crate::options::{Solving, Terminal};
 use crate::workflow::{Patched, Solved, Spec};
@@ -65,6 +67,11 @@ impl Live {
             Err(failure) => return Err(failure),
         };
         Ok(Live { path, solving, points, state: Mutex::new(state), revision: watch::Sender::new(1) })
+    }
+
+    /// The limits on what is read.
+    pub fn limits(&self) -> Limits {
+        self.solving.reading.limits().unwrap_or_default()
     }
 
     /// Says on standard error what is wrong.

@@ -63,7 +63,7 @@ pub fn run(arguments: Arguments, terminal: &Terminal) -> Outcome {
             .await
             .map_err(|error| machine(&format!("listen on {address} (another port: --port N)"), &error))?;
         let address = listener.local_addr().map_err(|error| machine("listen", &error))?;
-        let _watcher = watch::follow(&live).map_err(|error| machine("watch the spec", &error))?;
+        watch::follow(&live).map_err(|error| machine("watch the spec", &error))?;
         output::print(&format!("http://{address}/\n"))?;
         if !terminal.quiet {
             say("open the address in a browser; Ctrl-C ends the view");

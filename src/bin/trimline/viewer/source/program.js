@@ -12,17 +12,56 @@ const FUNCTIONS = {
   pow: Math.pow,
 };
 
+// A derivative of a piecewise polynomial: rows and columns of Taylor coefficients, by Horner's rule in each.
+function piecewise({ orders, axes: [first, second], coefficients }, x, y) {
+  const [rowAt, columnAt] = [locate(first, x), locate(second, y)];
+  if (!rowAt || !columnAt) return NaN;
+  const [row, dx] = rowAt, [column, dy] = columnAt;
+  const powers = second.degree + 1, width = powers * (second.breaks.length - 1);
+  let sum = 0;
+  for (let k = first.degree; k >= orders[0]; k--) {
+    const start = (row * (first.degree + 1) + k) * width + column * powers;
+    let inner = 0;
+    for (let l = second.degree; l >= orders[1]; l--) inner = inner * dy + coefficients[start + l] * falling(l, orders[1]);
+    sum = sum * dx + inner * falling(k, orders[0]);
+  }
+  return sum;
+}
+
+// The piece at x and how far into it.
+function locate({ breaks, periodic }, x) {
+  const [low, high] = [breaks[0], breaks[breaks.length - 1]];
+  if (periodic) x = Math.min(Math.max(x - Math.floor((x - low) / (high - low)) * (high - low), low), high);
+  const slack = 1e-9 * (high - low);
+  if (!(x >= low - slack && x <= high + slack)) return null;
+  let [below, above] = [0, breaks.length - 1];
+  while (above - below > 1) {
+    const middle = (below + above) >> 1;
+    if (breaks[middle] <= x) below = middle; else above = middle;
+  }
+  return [below, x - breaks[below]];
+}
+
+function falling(power, order) {
+  let product = 1;
+  for (let taken = 0; taken < order; taken++) product *= power - taken;
+  return product;
+}
+
 // Values of every output at each v, and u where the program is of both: an array of rows.
 export function run(program, symbols, v, t, u = null) {
   const rows = [];
-  for (const [name, a, b] of program.ops) {
+  for (const [name, a, b, index] of program.ops) {
     const row = new Float64Array(v.length);
     if (name === "const") row.fill(a);
     else if (name === "symbol") row.fill(symbols[a]);
     else if (name === "t") row.fill(t);
     else if (name === "v") row.set(v);
     else if (name === "u" && u) row.set(u);
-    else {
+    else if (name === "spline") {
+      const spline = program.splines[index];
+      for (let i = 0; i < row.length; i++) row[i] = piecewise(spline, rows[a][i], b === null ? 0 : rows[b][i]);
+    } else {
       const apply = FUNCTIONS[name];
       if (!apply) throw new Error(`the page does not know the function ${name}`);
       const [x, y] = [rows[a], rows[b]];

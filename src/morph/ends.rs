@@ -1,0 +1,29 @@
+//! The two shapes of `morph from A to B` in one document.
+
+use crate::problem::{Patch, Problem};
+
+/// Source and target of a problem that states a morph; `None` of one that does not.
+///
+/// A patch that becomes another has in both shapes the name of the one it comes from; patches in no pair are in both.
+#[must_use]
+pub fn ends(problem: &Problem) -> Option<[Problem; 2]> {
+    let request = problem.morph.as_ref()?;
+    let shape = |which: usize| {
+        let mut patches = Vec::new();
+        for (index, patch) in problem.patches.iter().enumerate() {
+            let pair = request.pairs.iter().find(|pair| pair.contains(&index));
+            match pair {
+                None => patches.push(patch.clone()),
+                // In the order of the sources, so that both shapes have their patches in the same order.
+                Some([from, _]) if *from == index => {
+                    let end = pair.and_then(|pair| pair.get(which)).and_then(|place| problem.patches.get(*place));
+                    patches.extend(end.map(|end| Patch { name: patch.name.clone(), ..end.clone() }));
+                }
+                Some(_) => {}
+            }
+        }
+        // Their places among the patches of the document mean nothing among those of a shape.
+        Problem { patches, seams: Vec::new(), morph: None, ..problem.clone() }
+    };
+    Some([shape(0), shape(1)])
+}
