@@ -22,39 +22,60 @@ fn number(value: &Value) -> f64 {
     value.as_f64().expect("a number")
 }
 
-#[test]
-fn points_of_a_frame_are_those_of_extended_precision() {
+/// Patch, u, v, position and first derivatives of the glass at ε = 0.3.
+fn reference() -> Vec<(&'static str, Vec<f64>)> {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/reference/p3_morph.json");
     let reference: Value = serde_json::from_str(&std::fs::read_to_string(path).expect("a text")).expect("JSON");
-    let rows: Vec<(&str, Vec<f64>)> = reference["variants"]
-        .as_array()
-        .expect("variants")
-        .iter()
-        .flat_map(|variant| {
-            let patch = if variant["id"] == "patch_base" { "base" } else { "body" };
-            let rows = variant["values"].as_array().expect("rows").iter();
-            rows.map(move |row| (patch, row.as_array().expect("a row").iter().map(number).collect()))
-        })
-        .collect();
+    let variants = reference["variants"].as_array().expect("variants").iter();
+    let rows = variants.flat_map(|variant| {
+        let patch = if variant["id"] == "patch_base" { "base" } else { "body" };
+        let rows = variant["values"].as_array().expect("rows").iter();
+        rows.map(move |row| (patch, row.as_array().expect("a row").iter().map(number).collect()))
+    });
+    rows.collect()
+}
+
+/// Compares what a command prints for the points of the reference, whose patches have names that begin with `prefix`.
+fn assert_reference(prefix: &str, arguments: &[&str]) {
+    let rows = reference();
     let folder = Folder::new();
     let points = folder.path("points.csv");
-    let lines: String = rows.iter().map(|(patch, row)| format!("{patch},{:?},{:?}\n", row[0], row[1])).collect();
+    let lines: String =
+        rows.iter().map(|(patch, row)| format!("{prefix}{patch},{:?},{:?}\n", row[0], row[1])).collect();
     std::fs::write(&points, format!("patch,u,v\n{lines}")).expect("written");
     let points = points.to_string_lossy().into_owned();
-    let [source, target] = glasses();
-    let choices: [&[&str]; 2] = [&["--steps", "9", "--frame", "3"], &["--at", "0.3"]];
-    for choice in choices {
-        let arguments = ["morph", &source, &target, "--points", &points, "--derivatives", "u,v"];
-        let table = done(&trimline(&[&arguments[..], choice].concat()));
-        assert_eq!(table.lines().count(), 81);
-        for (line, (_, expected)) in table.lines().skip(1).zip(&rows) {
-            let found: Vec<f64> = line.split(',').skip(3).map(|cell| cell.parse().expect("a number")).collect();
-            assert_eq!(found.len(), 9);
-            for (found, expected) in found.iter().zip(&expected[2..]) {
-                // What the reference asks for.
-                assert!((found - expected).abs() <= 1e-9 * (1.0 + expected.abs()), "{line}");
-            }
+    let table = done(&trimline(&[arguments, &["--points", &points, "--derivatives", "u,v"]].concat()));
+    assert_eq!(table.lines().count(), 81);
+    for (line, (_, expected)) in table.lines().skip(1).zip(&rows) {
+        let found: Vec<f64> = line.split(',').skip(3).map(|cell| cell.parse().expect("a number")).collect();
+        assert_eq!(found.len(), 9);
+        for (found, expected) in found.iter().zip(&expected[2..]) {
+            // What the reference asks for.
+            assert!((found - expected).abs() <= 1e-9 * (1.0 + expected.abs()), "{line}");
         }
+    }
+}
+
+#[test]
+fn points_of_a_frame_are_those_of_extended_precision() {
+    let [source, target] = glasses();
+    assert_reference("", &["morph", &source, &target, "--steps", "9", "--frame", "3"]);
+    assert_reference("", &["morph", &source, &target, "--at", "0.3"]);
+    let both = example("p3_glasses.trim");
+    assert_reference("water_", &["morph", &both, "--frame", "3"]);
+    assert_reference("water_", &["eval", &both, "--morph", "0.3"]);
+}
+
+#[test]
+fn morph_that_a_spec_states_is_that_of_two_specs() {
+    let ([water, wine], [vase, flask]) = (glasses(), shapes());
+    let cases: [(&str, &[&str], [&str; 3]); 2] = [
+        ("p3_glasses.trim", &[], [&water, &wine, "boundary"]),
+        ("p3_vase_to_flask.trim", &[], [&vase, &flask, "both"]),
+    ];
+    for (name, options, [source, target, by]) in cases {
+        let printed = |specs: &[&str]| done(&trimline(&[&["morph", "-q"], specs, options].concat()));
+        assert_eq!(printed(&[&example(name)]), printed(&[source, target, "--by", by]), "{name}");
     }
 }
 
@@ -107,6 +128,56 @@ fn frames_become_one_animation_or_numbered_files() {
     let one = folder.path("one.obj").to_string_lossy().into_owned();
     done(&trimline(&["morph", &source, &target, "--at", "0.5", "--grid", "4x12", "-o", &one]));
     assert!(folder.files().contains(&"one.obj".to_owned()));
+}
+
+#[test]
+fn frames_are_drawn_on_a_sheet_or_as_an_animation() {
+    let folder = Folder::new();
+    let spec = example("p3_glasses.trim");
+    let draw = |name: &str, options: &[&str]| {
+        let path = folder.path(name);
+        let file = path.to_string_lossy().into_owned();
+        let arguments = ["morph", &spec, "-q", "--grid", "4x12", "--size", "40x50", "-o", &file];
+        assert!(done(&trimline(&[&arguments[..], options].concat())).is_empty());
+        let decoder = png::Decoder::new(std::io::BufReader::new(std::fs::File::open(path).expect("written")));
+        let mut reader = decoder.read_info().expect("a PNG");
+        let animation = reader.info().animation_control.map(|control| control.num_frames);
+        let mut pixels = vec![0; reader.output_buffer_size().expect("it fits")];
+        reader.next_frame(&mut pixels).expect("a picture");
+        ((reader.info().width, reader.info().height), animation, pixels)
+    };
+    // Eleven in rows of four, with a line between.
+    let (size, animation, _) = draw("sheet.png", &[]);
+    assert_eq!((size, animation), ((4 * 41 - 1, 3 * 51 - 1), None));
+    let (size, animation, first) = draw("film.png", &["--animate"]);
+    assert_eq!((size, animation), ((40, 50), Some(11)));
+    let (size, animation, last) = draw("one.png", &["--frame", "10"]);
+    assert_eq!((size, animation), ((40, 50), None));
+    assert_ne!(first, last);
+}
+
+#[test]
+fn morph_of_a_spec_asks_for_what_it_needs() {
+    let folder = Folder::new();
+    let flat = "at u = 0: S = [cos v, sin v, 0]\nat u = 1: S = [cos v, sin v, 1]\n";
+    let pair = |from: &str, to: &str| {
+        folder.spec(format!("pde d2S/du2 + d2S/dv2 = 0\nmorph from p to q\npatch p {{\n{from}}}\npatch q {{\n{to}}}\n"))
+    };
+    let said = |arguments: &[&str], expected| {
+        let output = trimline(arguments);
+        assert_eq!(status(&output), expected, "{}", text(&output.stderr));
+        assert!(output.stdout.is_empty());
+        text(&output.stderr)
+    };
+    let spec = pair(flat, flat);
+    let still = done(&trimline(&["morph", &spec, "-q"]));
+    assert!(still.ends_with("largest step 0.000000\n"), "{still}");
+    let spec = pair(flat, &format!("domain v in [0, 1]\n{flat}"));
+    assert!(said(&["morph", &spec], 1).contains("domain"), "{}", said(&["morph", &spec], 1));
+    let [water, _] = glasses();
+    assert!(said(&["morph", &water], 2).contains("states no `morph from A to B`"));
+    let both = example("p3_glasses.trim");
+    assert!(said(&["eval", &both, "--points", "nowhere.csv", "--morph", "1.5"], 1).contains("outside [0, 1]"));
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! What bad specs are answered: code, place and the words that help.
 
+mod morphs;
 mod nets;
 mod table;
 
@@ -24,7 +25,6 @@ const ELSEWHERE: &[(Code, &str)] = &[
     (Code::BadDataFile, "tests of curves, which take files"),
     (Code::PeriodMissed, "`review`: below"),
     (Code::LargeResidual, "tests of the choice of `auto`"),
-    (Code::ShapesDiffer, "tests of morphs, which take two texts"),
     (Code::PointOutsideDomain, "points and instants of the command line"),
     (Code::BadPoints, "tables of points of the command line"),
     (Code::SeamApart, "`check`, which solves the patches of a seam"),
@@ -105,7 +105,7 @@ fn words(finding: &Diagnostic) -> String {
 #[test]
 fn bad_specs_get_one_finding_with_its_code_place_and_advice() {
     let mut wrong = Vec::new();
-    for &(spec, code, expected_place, marked, fragment) in ROWS.iter().chain(nets::ROWS) {
+    for &(spec, code, expected_place, marked, fragment) in ROWS.iter().chain(nets::ROWS).chain(morphs::ROWS) {
         let text = text_of(spec);
         let source = Source::new("spec", &*text);
         let found = findings(&text);
@@ -132,7 +132,7 @@ fn bad_specs_get_one_finding_with_its_code_place_and_advice() {
 fn table_covers_every_code_that_a_text_can_produce() {
     assert!(ROWS.len() >= 60, "{}", ROWS.len());
     for &code in Code::ALL {
-        let in_table = ROWS.iter().chain(nets::ROWS).any(|row| row.1 == code);
+        let in_table = ROWS.iter().chain(nets::ROWS).chain(morphs::ROWS).any(|row| row.1 == code);
         let elsewhere = ELSEWHERE.iter().any(|(other, _)| *other == code);
         assert!(in_table != elsewhere, "{code} {code:?}: in the table {in_table}, elsewhere {elsewhere}");
     }

@@ -8,6 +8,7 @@ use trimline::method::Options;
 use crate::spec::{BOUNDARY, patch, problem, problem_within, told, with_data};
 
 const LANGUAGE: &str = include_str!("../../docs/language.md");
+const MORPHING: &str = include_str!("../../docs/morphing.md");
 const TUTORIAL: &str = include_str!("../../docs/tutorial.md");
 
 /// Specs of a page: what stands behind the word `trim` of each block, and the block.
@@ -38,8 +39,8 @@ fn solve(text: &str) -> Result<(), Diagnostics> {
 }
 
 #[test]
-fn specs_of_language_reference_and_tutorial_are_solved_or_answered_as_the_page_says() {
-    for (page, fewest) in [(LANGUAGE, 12), (TUTORIAL, 6)] {
+fn specs_of_language_reference_tutorial_and_morphing_are_solved_or_answered_as_the_page_says() {
+    for (page, fewest) in [(LANGUAGE, 12), (TUTORIAL, 6), (MORPHING, 1)] {
         let specs = specs(page);
         assert!(specs.len() >= fewest, "{}", specs.len());
         for (about, text) in specs {
