@@ -48,9 +48,9 @@ pub enum TableFault {
         text: String,
     },
     /// There are more points than allowed.
-    #[error("it holds more points than the limit `curve-points` of {allowed}")]
+    #[error("it holds more than {allowed} points")]
     TooMany {
-        /// The limit.
+        /// How many are allowed.
         allowed: usize,
     },
 }
@@ -159,7 +159,7 @@ mod tests {
         assert_eq!(told("x,y,z,x\n1,2,3,4"), "row 1: two columns are called `x`");
         assert_eq!(told("1,2\n"), "row 1 has 2 columns where 3 are expected");
         assert_eq!(told("# nothing\nx,y,z\n"), "it holds no points");
-        assert_eq!(told(&"1 2 3\n".repeat(5)), "it holds more points than the limit `curve-points` of 4");
+        assert_eq!(told(&"1 2 3\n".repeat(5)), "it holds more than 4 points");
         assert_eq!(read_points(&[0xff], 4), Err(TableFault::NotText));
     }
 }

@@ -35,18 +35,36 @@ pub fn declare(definition: &Definition, scope: &mut Scope<'_>, reading: &mut Rea
     reading.keep(declared);
 }
 
-/// The curve through the points of a file.
-fn curve(name: &str, path: &str, file: Option<&DataFile>, limits: &Limits) -> Result<ClosedCurve, Diagnostic> {
+/// The points of a file with the rows they stand in; `too_many` is said of more than `allowed`.
+pub fn rows(
+    path: &str,
+    file: Option<&DataFile>,
+    allowed: usize,
+    too_many: impl FnOnce() -> Diagnostic,
+) -> Result<Vec<(usize, [f64; 3])>, Diagnostic> {
     let Some(contents) = file.and_then(|file| file.contents.as_ref()) else {
         let message = format!("the data file `{path}` was not given");
         return Err(Diagnostic::new(Code::DataFileMissing, message)
             .hint("the library reads no files: attach its bytes to the document before it is resolved"));
     };
-    let bad = |what: String| Diagnostic::new(Code::BadDataFile, format!("{path}: {what}"));
-    let rows = read_points(contents, limits.curve_points).map_err(|fault| match fault {
-        TableFault::TooMany { .. } => Diagnostic::new(Code::LimitReached, format!("{path}: {fault}")),
-        _ => bad(fault.to_string())
+    read_points(contents, allowed).map_err(|fault| match fault {
+        TableFault::TooMany { .. } => too_many(),
+        _ => bad(path, &fault.to_string())
             .hint("a row holds x, y and z, separated by commas; a first row of names says in which order"),
+    })
+}
+
+/// What is wrong in a file.
+pub fn bad(path: &str, what: &str) -> Diagnostic {
+    Diagnostic::new(Code::BadDataFile, format!("{path}: {what}"))
+}
+
+/// The curve through the points of a file.
+fn curve(name: &str, path: &str, file: Option<&DataFile>, limits: &Limits) -> Result<ClosedCurve, Diagnostic> {
+    let bad = |what: String| bad(path, &what);
+    let rows = rows(path, file, limits.curve_points, || {
+        let message = format!("{path}: it holds more points than the limit `curve-points` of {}", limits.curve_points);
+        Diagnostic::new(Code::LimitReached, message)
     })?;
     let points = closed(rows).map_err(|(first, second)| {
         bad(format!("rows {first} and {second} hold the same point"))

@@ -1,5 +1,6 @@
 //! `bspline` blocks to nets: their size, knots and boundary layers.
 
+use super::curve;
 use super::declarations;
 use super::patch;
 use super::reading::{Fault, Reading};
@@ -7,7 +8,7 @@ use super::scope::{Meaning, Scope, Value};
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::{ExprId, Number, SymbolId, Variable};
 use crate::problem::{Domain, KnotKind, Layer, Net, NetKnots, NetPoints, Sampling};
-use crate::syntax::ast::{self, Document, KnotChoice, Name, NetBlock, NetSource, NetStatement};
+use crate::syntax::ast::{self, Document, Expression, Kind, KnotChoice, Name, NetBlock, NetSource, NetStatement};
 
 /// The numbers of a control point and of the last one, by direction; names inside a block.
 const INDEX: [&str; 2] = ["i", "j"];
@@ -38,7 +39,7 @@ fn net(block: &NetBlock, domain: &Domain, outside: &Scope<'_>, reading: &mut Rea
     let knots = knots(block, last, outside, reading);
     let points = match &statement.source {
         None => layers(block, last, &scope, reading),
-        Some(source) => from(source, block, &scope, reading),
+        Some(source) => from(source, last, block, &scope, reading),
     };
     if reading.found.len() > found_before {
         return None;
@@ -181,7 +182,13 @@ fn check_listed(
 }
 
 /// Layers that come from one formula or surface.
-fn from(source: &NetSource, block: &NetBlock, scope: &Scope<'_>, reading: &mut Reading<'_>) -> Option<NetPoints> {
+fn from(
+    source: &NetSource,
+    last: [usize; 2],
+    block: &NetBlock,
+    scope: &Scope<'_>,
+    reading: &mut Reading<'_>,
+) -> Option<NetPoints> {
     if let Some(layer) = block.layers.first() {
         let finding = Diagnostic::new(Code::DuplicateStatement, "the layers are stated twice").at(layer.index.span);
         reading.report(finding.hint("`net … from …` gives all of them: leave out either"));
@@ -196,6 +203,10 @@ fn from(source: &NetSource, block: &NetBlock, scope: &Scope<'_>, reading: &mut R
             let layers = of_all(reading.keep(value)?, reading.tree.span(*formula));
             Some(NetPoints::Layers { layers, sampling: Sampling::Greville, ranges: [None; 2] })
         }
+        NetSource::Table(file) => {
+            let points = table(*file, last, reading);
+            reading.keep(points).map(NetPoints::Given)
+        }
         NetSource::Surface { surface, sampling } => {
             let sampling = sampling_called(sampling);
             let sampling = reading.keep(sampling)?;
@@ -206,6 +217,26 @@ fn from(source: &NetSource, block: &NetBlock, scope: &Scope<'_>, reading: &mut R
             Some(NetPoints::Layers { layers: of_all(position, surface.span), sampling, ranges })
         }
     }
+}
+
+/// The points of a file: as many as the net has, those of i = 0 first.
+fn table(file: Expression, last: [usize; 2], reading: &Reading<'_>) -> Result<Vec<[f64; 3]>, Diagnostic> {
+    let node = reading.tree.node(file);
+    let Kind::Text(path) = &node.kind else { return Ok(Vec::new()) };
+    let [n, m] = last;
+    let needed = (n + 1) * (m + 1);
+    let other_number = |found: String| {
+        let finding = curve::bad(path, &format!("a net {n} x {m} has {needed} points, and it holds {found}"));
+        finding.hint("a row for each point: those of i = 0 first, j from 0 to m, then those of i = 1")
+    };
+    let file = reading.files.iter().find(|file| file.path == *path);
+    let rows = curve::rows(path, file, needed, || other_number("more".to_owned()));
+    let rows = rows.and_then(|rows| match rows.len() {
+        found if found == needed => Ok(rows),
+        found => Err(other_number(found.to_string())),
+    });
+    let rows = rows.map_err(|finding| finding.at(node.span))?;
+    Ok(rows.into_iter().map(|(_, point)| point).collect())
 }
 
 fn sampling_called(name: &Name) -> Result<Sampling, Diagnostic> {

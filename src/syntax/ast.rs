@@ -145,6 +145,8 @@ pub enum NetSource {
         /// `uniform` or `greville`.
         sampling: Name,
     },
+    /// `points("net.csv")`, the text.
+    Table(Expression),
     /// The control point as a function of its numbers or of its parameters.
     Formula(Expression),
 }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::ast::{Document, Kind, Statements};
+use super::ast::{Document, Kind, NetSource};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 use crate::limits::Limits;
 
@@ -18,11 +18,15 @@ pub struct DataFile {
 }
 
 impl Document {
-    /// Adds the files of definitions to [`Document::files`].
+    /// Adds the files of definitions and nets to [`Document::files`].
     pub(super) fn note_files(&mut self) {
-        let Statements { definitions, .. } = &self.shared;
-        for definition in definitions {
-            let node = self.tree.node(definition.value);
+        let definitions = self.shared.definitions.iter().map(|definition| definition.value);
+        let nets = self.nets.iter().flat_map(|block| &block.nets).filter_map(|net| match net.source {
+            Some(NetSource::Table(file)) => Some(file),
+            _ => None,
+        });
+        for value in definitions.chain(nets) {
+            let node = self.tree.node(value);
             if let Kind::Text(path) = &node.kind
                 && !self.files.iter().any(|file| file.path == *path)
             {

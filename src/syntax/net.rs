@@ -122,6 +122,7 @@ impl Builder<'_> {
                 let (surface, sampling) = (self.take_name(&mut names)?, self.take_name(&mut names)?);
                 Some(NetSource::Surface { surface, sampling })
             }
+            Some(part) if part.as_rule() == Rule::tabled => Some(NetSource::Table(self.file(&mut part.into_inner())?)),
             Some(part) => Some(NetSource::Formula(self.expression(part)?)),
         };
         Ok(NetStatement { last, size: place, source, span })

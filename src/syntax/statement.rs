@@ -61,7 +61,11 @@ impl Statement {
     /// what stands outside the boundary or block it needs goes nowhere: that may begin in what could not be read.
     pub fn add_to(self, document: &mut Document, open: &mut Option<Block>, is_faulty: bool) -> Result<(), Diagnostic> {
         match (document.nets.last_mut(), *open) {
-            (Some(block), Some(Block::Net)) if self.is_of_nets() => return self.add_to_net(block),
+            (Some(block), Some(Block::Net)) if self.is_of_nets() => {
+                self.add_to_net(block)?;
+                document.note_files();
+                return Ok(());
+            }
             (_, Some(Block::Net)) if !matches!(self, Statement::BlockEnds) => return Err(self.outside_nets()),
             _ => {}
         }
@@ -297,7 +301,7 @@ impl Builder<'_> {
     }
 
     /// The name of a data file, the one text in a bracket.
-    fn file<'a>(&mut self, parts: &mut impl Iterator<Item = Parsed<'a>>) -> Result<Expression, Diagnostic> {
+    pub(super) fn file<'a>(&mut self, parts: &mut impl Iterator<Item = Parsed<'a>>) -> Result<Expression, Diagnostic> {
         let arguments = parts.find(|part| part.as_rule() == Rule::arguments).ok_or_else(internal)?;
         match self.bracket(&arguments)?.as_slice() {
             [only] if let Kind::Text(path) = &self.tree.node(*only).kind => {
@@ -306,7 +310,7 @@ impl Builder<'_> {
             }
             _ => Err(Diagnostic::new(Code::UnexpectedText, "a data file is named by one text in quotes")
                 .at(self.span(&arguments))
-                .hint("as in `curve C = points(\"ring.csv\")`")),
+                .hint("as in `points(\"ring.csv\")`")),
         }
     }
 

@@ -91,6 +91,50 @@ fn layers_stated_one_by_one_are_the_formula_they_share() {
     assert_eq!(filled(whole, 0.0).filled.surface, filled(&each, 0.0).filled.surface);
 }
 
+/// A net whose points come from `rows`.
+fn tabled(rows: &str) -> Result<Blend, trimline::diagnostic::Diagnostics> {
+    let text = "bspline b {\ndomain v in [0, 1]\nnet 3 x 4 from points(\"net.csv\")\n}\n";
+    let read = |path: &str| if path == "net.csv" { Ok(rows.as_bytes().to_vec()) } else { Err("none".to_owned()) };
+    Blend::compile_with(&Source::new(NAME, text), read, &Options::default())
+}
+
+/// Point [i², j + 0.1 i j, i - j] of 4 x 5, and another one where neither is on a layer.
+fn rows(inside: &str) -> String {
+    let point = |i: i32, j: i32| match (i, j) {
+        (2, 2 | 3) => inside.to_owned(),
+        _ => format!("{},{},{}\n", i * i, f64::from(j) + 0.1 * f64::from(i * j), i - j),
+    };
+    (0..4).flat_map(|i| (0..5).map(move |j| point(i, j))).collect()
+}
+
+#[test]
+fn points_of_a_file_are_taken_with_j_running_first_and_only_those_of_layers() {
+    let formula = filled("bspline b {\ndomain v in [0, 1]\nnet 3 x 4 from [i^2, j + 0.1 i j, i - j]\n}\n", 0.0);
+    for inside in ["4,2.4,0\n", "100,100,100\n"] {
+        let net = tabled(&rows(inside)).unwrap_or_else(|found| panic!("{found:?}")).fill(0, 0.0).expect("a net");
+        assert!(relative_distance(net.filled.surface.net(), formula.filled.surface.net()) <= 1e-15);
+        assert_eq!(net.filled.surface.knots(), formula.filled.surface.knots());
+    }
+}
+
+#[test]
+fn files_that_are_no_table_of_the_net_are_refused_with_what_is_wrong() {
+    let whole = rows("4,2.4,0\n");
+    let told = |rows: &str| {
+        let found = tabled(rows).err().expect("no net");
+        assert_eq!((found.len(), found[0].code), (1, Code::BadDataFile), "{found:?}");
+        assert_eq!(found[0].span.map(|span| (span.start, span.end)), Some((53, 62)), "{found:?}");
+        found[0].message.clone()
+    };
+    assert_eq!(told(&format!("{whole}0,0,0\n")), "net.csv: a net 3 x 4 has 20 points, and it holds more");
+    assert_eq!(told("0,0,0\n"), "net.csv: a net 3 x 4 has 20 points, and it holds 1");
+    assert_eq!(told("0,0,0\n0,0\n"), "net.csv: row 2 has 2 columns where 3 are expected");
+    assert_eq!(told("0,0,0\n0,inf,0\n"), "net.csv: row 2, column y: `inf` is not a finite number");
+    let text = "bspline b {\nnet 3 x 4 from points(\"net.csv\")\n}\n";
+    let found = Blend::compile(&Source::new(NAME, text), &Options::default()).err().expect("no file");
+    assert_eq!(found[0].code, Code::DataFileMissing);
+}
+
 #[test]
 fn knots_and_layers_follow_params_and_a_value_without_knots_changes_nothing() {
     let text =

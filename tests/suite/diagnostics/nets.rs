@@ -25,6 +25,8 @@ pub const ROWS: &[Row] = &[
     (Whole("bspline b {\nknots [0, 0, 0, 0, i, 2, 2, 2, 2] in u\nnet 4 x 5 from [i, j, 0]\n}"), UnknownName, "2:20", "i", "unknown name `i`"),
     (Whole("bspline b {\ndomain u in [0, 1]\nknots [0, 0, 0, 0, 1, 2, 2, 2, 2] in u\nnet 4 x 5 from [i, j, 0]\n}"), DuplicateStatement, "2:8", "u", "leave out this range"),
     (Whole("bspline b {\nnet 5 x 5 from surface X sampled greville\n}"), UnknownName, "2:24", "X", "unknown name `X`"),
+    (Whole("bspline b {\nnet 5 x 5 from points(2)\n}"), UnexpectedText, "2:22", "(2)", "a data file is named by one text in quotes"),
+    (Whole("bspline b {\nnet 5 x 5 from points(\"../net.csv\")\n}"), DataFileMissing, "2:23", "\"../net.csv\"", "in the folder of the spec"),
     (Whole("surface X(u, v) = [u, v, 0]\nbspline b {\nnet 5 x 5 from surface X sampled evenly\n}"), UnknownName, "3:34", "evenly", "`sampled uniform`"),
     (Whole("param i = 1\nbspline b {\nnet 5 x 5 from [i, j, 0]\n}"), DuplicateName, "1:7", "i", "choose another name"),
     (Whole("bspline b {\nnet 5 x 5 from i + j\n}"), NotScalar, "2:16", "i + j", "write `[x, y, z]`"),
