@@ -26,9 +26,9 @@ def trimline(*arguments, text=""):
 
 
 def is_emitted(spec, patch):
-    """`emit` refuses patches that are no sums of products, and only them."""
+    """`emit` refuses patches that are no sums of products or hold a measured curve, and only them."""
     done = subprocess.run([BINARY, "emit", spec, "--lang", "numpy", "--patch", patch], capture_output=True, text=True)
-    assert done.returncode == 0 or "E0709" in done.stderr, done.stderr
+    assert done.returncode == 0 or "E0709" in done.stderr or "E0710" in done.stderr, done.stderr
     return done.returncode == 0
 
 
