@@ -151,6 +151,8 @@ codes! {
     ApexNotSmooth = "W0708", Warning, Source, "A patch is not smooth at its apex.";
     NotSeparable = "E0709", Error, Unsupported, "A surface is not a sum of products.";
     NoFormula = "E0710", Error, Unsupported, "A function has no formula in another language.";
+    EdgeSidesDiffer = "E0711", Error, Source, "The two sides of a shared edge differ.";
+    CopyOntoItself = "E0712", Error, Source, "A copy of a patch lies where the patch does.";
     LimitReached = "E0901", Error, Limit, "A limit was reached.";
     HostUnsupported = "N0902", Note, Host, "The machine lacks something; the work goes on another way.";
     OutputFailed = "E0903", Error, Output, "Writing a result failed.";

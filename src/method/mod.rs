@@ -77,6 +77,7 @@ pub trait Solver: Send + Sync {
 }
 
 /// A solved patch.
+#[derive(Clone)]
 pub struct Solution {
     /// The surface.
     pub surface: Arc<dyn Surface + Send + Sync>,

@@ -123,17 +123,23 @@ impl EdgeLoop {
     /// [`Code::LoopOpen`] names the first corner that does not close, with its gap; [`Code::SidesDisagree`] the first
     /// whose tangents differ.
     pub fn check(&self, problem: &Problem, bindings: &Bindings, t: f64, limits: &Limits) -> Result<(), Diagnostic> {
-        let mut graph = problem.graph.clone();
+        self.check_in(&mut problem.graph.clone(), bindings.as_slice(), t, limits)
+    }
+
+    /// As [`EdgeLoop::check`], with the graph of the problem, to which slopes are added.
+    ///
+    /// # Errors
+    /// As [`EdgeLoop::check`].
+    pub fn check_in(&self, graph: &mut Graph, params: &[f64], t: f64, limits: &Limits) -> Result<(), Diagnostic> {
         let count = self.edges.len();
-        let value = |graph: &Graph, vector: Vector, u: f64| {
-            vector.map(|expr| graph.value(expr, bindings.as_slice(), [u, f64::NAN, t]))
-        };
-        let corners: Vec<[f64; 3]> = self.edges.iter().map(|edge| value(&graph, edge.curve, 0.0)).collect();
+        let value =
+            |graph: &Graph, vector: Vector, u: f64| vector.map(|expr| graph.value(expr, params, [u, f64::NAN, t]));
+        let corners: Vec<[f64; 3]> = self.edges.iter().map(|edge| value(graph, edge.curve, 0.0)).collect();
         let farthest = corners.iter().map(|corner| distance(*corner, corners.first().copied().unwrap_or_default()));
         let size = farthest.fold(0.0, f64::max);
         for (index, (edge, corner)) in self.edges.iter().zip(&corners).enumerate() {
             let Some(before) = self.neighbour(index, count - 1) else { continue };
-            let gap = distance(value(&graph, before.curve, 1.0), *corner);
+            let gap = distance(value(graph, before.curve, 1.0), *corner);
             let (number, previous) = (index + 1, (index + count - 1) % count + 1);
             let is_closed = gap <= CLOSED * size;
             if !is_closed {
@@ -148,9 +154,9 @@ impl EdgeLoop {
         }
         for (index, edge) in self.edges.iter().enumerate() {
             let Some(across) = edge.across else { continue };
-            let expected = self.along_neighbours(&mut graph, index, limits)?;
+            let expected = self.along_neighbours(graph, index, limits)?;
             for ((expected, u), end) in expected.into_iter().zip([0.0, 1.0]).zip(["beginning", "end"]) {
-                let gap = distance(value(&graph, across, u), value(&graph, expected, u));
+                let gap = distance(value(graph, across, u), value(graph, expected, u));
                 let fits = gap <= CLOSED * size;
                 if !fits {
                     let message = format!(
@@ -158,7 +164,7 @@ impl EdgeLoop {
                         index + 1,
                         self.name
                     );
-                    let [x, y, z] = value(&graph, expected, u);
+                    let [x, y, z] = value(graph, expected, u);
                     return Err(Diagnostic::new(Code::SidesDisagree, message)
                         .at(edge.origin)
                         .hint(format!("it must be [{x}, {y}, {z}] there, or leave it out")));

@@ -11,6 +11,7 @@ mod morph;
 mod net;
 mod operator;
 mod parameters;
+mod placement;
 mod surface;
 
 pub use deformation::{Deformation, check_region};
@@ -20,7 +21,8 @@ pub use morph::{MorphKind, MorphRequest};
 pub use net::{KnotKind, Layer, Net, NetKnots, NetPoints, Sampling};
 pub use operator::{PdeOperator, PdeTerm, STANDARD_COEFFICIENTS};
 pub use parameters::{Bindings, Parameter, ParameterKind};
-pub use surface::{Join, PrimarySurface, Seam};
+pub use placement::{PatchCopy, Placement};
+pub use surface::{Join, PrimarySurface, Seam, SeamEdge};
 
 use crate::diagnostic::Span;
 use crate::expr::{Derivative, ExprId, Graph, Notation, Variable};
@@ -41,6 +43,8 @@ pub struct Problem {
     pub patches: Vec<Patch>,
     /// The B-spline nets, in source order.
     pub nets: Vec<Net>,
+    /// Copies of patches elsewhere, in source order.
+    pub copies: Vec<PatchCopy>,
     /// Where patches are meant to meet, in source order.
     pub seams: Vec<Seam>,
     /// Which patches become which others.
@@ -119,15 +123,26 @@ pub struct RequestedSetting {
 }
 
 impl Problem {
-    /// The name of part number `index`: patches, and behind them nets.
+    /// The name of part number `index`: patches, behind them nets, behind them copies.
     #[must_use]
     pub fn part_name(&self, index: usize) -> Option<&str> {
         let patches = self.patches.iter().map(|patch| patch.name.as_str());
-        patches.chain(self.nets.iter().map(|net| net.name.as_str())).nth(index)
+        let own = patches.chain(self.nets.iter().map(|net| net.name.as_str()));
+        own.chain(self.copies.iter().map(|copy| copy.name.as_str())).nth(index)
     }
 }
 
 impl Patch {
+    /// Whether anything that is stated of the patch changes with t.
+    #[must_use]
+    pub fn moves(&self, graph: &Graph) -> bool {
+        let across = self.conditions.iter().flat_map(|condition| condition.value);
+        let along = self.side_conditions.iter().flat_map(|condition| condition.value);
+        let equation = self.operator.terms.iter().flat_map(|term| term.coefficient).chain(self.operator.force);
+        let displaced = self.deformations.iter().flat_map(|deformation| deformation.by);
+        across.chain(along).chain(equation).chain(displaced).any(|expr| graph.dependence(expr).t)
+    }
+
     /// Whether data stand at fixed v as well as at fixed u.
     #[must_use]
     pub fn is_four_sided(&self) -> bool {

@@ -60,8 +60,23 @@ pub struct Join {
 /// Two edges of patches that are meant to meet.
 #[derive(Debug, Clone)]
 pub struct Seam {
-    /// Each edge: the part, as its place among the problem's patches and, behind them, nets, and the value of its u.
-    pub edges: [(usize, ExprId); 2],
+    /// Both edges.
+    pub edges: [SeamEdge; 2],
+    /// Whether one patch is meant to go on smoothly as the other.
+    pub is_smooth: bool,
     /// Where it is stated.
     pub origin: Option<Span>,
+}
+
+/// A side of a patch, or a part of one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SeamEdge {
+    /// The part, as its place among the problem's patches, nets and copies.
+    pub patch: usize,
+    /// The coordinate that is fixed.
+    pub across: Variable,
+    /// Its value, constant.
+    pub position: ExprId,
+    /// Where the part begins and ends, as shares of the other coordinate's range; `[0, 1]` is the whole side.
+    pub part: [f64; 2],
 }

@@ -1,5 +1,6 @@
 //! `at u = c:` and `at v = c:` blocks to boundary conditions, counted against the order of the equation.
 
+use super::edges;
 use super::form::components;
 use super::join;
 use super::lower::Lowering;
@@ -27,6 +28,8 @@ pub struct Frame<'a> {
     pub order: Option<usize>,
     /// The values of parameters and the range of the coordinate, if they are known.
     pub numbers: Option<(&'a Bindings, [f64; 2])>,
+    /// The range of the other coordinate.
+    pub along: [ExprId; 2],
     /// Where the patch is named.
     pub place: Option<Span>,
 }
@@ -114,6 +117,14 @@ fn resolve(
             }
         }
         for join in &boundary.constraints.joins {
+            if join.at.is_none() && reading.edge(&join.surface.text).is_some() {
+                let (Some((place, position)), Some(order)) = (edge, frame.order) else { continue };
+                for stated in edges::expand(join, place, frame, order, scope, reading).unwrap_or_default() {
+                    let added = add(stated, across, (place, position), &mut reading.lowering(scope), &mut collected);
+                    reading.keep(added);
+                }
+                continue;
+            }
             if across != Variable::U {
                 reading.report(
                     Diagnostic::new(Code::UnexpectedText, "a join stands at a value of u").at(join.span).hint(
@@ -136,14 +147,48 @@ fn resolve(
     else {
         return None;
     };
+    let apex = apex(boundaries, &collected, frame, scope, reading)?;
     collected.sort_by(|a, b| a.position.total_cmp(&b.position).then(a.order.cmp(&b.order)));
     let whole = here().next_back().map(|boundary| reading.tree.span(boundary.position)).or(frame.place);
-    let complete = check_complete(&collected, whole, across, order, range);
+    // The tangents at an apex follow from the sides that end there.
+    let needed = if apex { order.saturating_sub(2) } else { order };
+    let complete = check_complete(&collected, whole, across, needed, range);
     if let Err(findings) = complete {
         findings.into_iter().for_each(|finding| reading.report(finding));
         return None;
     }
     Some((collected, joins))
+}
+
+/// Whether a side is said to be a point; `None` if it cannot be one.
+fn apex(
+    boundaries: &[Boundary],
+    collected: &[Collected],
+    frame: &Frame<'_>,
+    scope: &Scope<'_>,
+    reading: &mut Reading<'_>,
+) -> Option<bool> {
+    let stated = |boundary: &&Boundary| !boundary.constraints.apexes.is_empty();
+    let here = |boundary: &&Boundary| boundary.variable.text == frame.across.name();
+    let mut all = boundaries.iter().filter(here).filter(stated);
+    let Some(boundary) = all.next() else { return Some(false) };
+    let place = boundary.constraints.apexes.first().copied();
+    let found = edge(boundary, frame, &mut reading.lowering(scope));
+    let position = reading.keep(found).flatten().map(|(_, position)| position)?;
+    let end = frame.numbers.map(|(_, [_, high])| high);
+    let refused = if frame.across != Variable::U || Some(position) != end {
+        Some("an apex stands at the high end of u")
+    } else if all.next().is_some() || boundary.constraints.apexes.len() > 1 {
+        Some("the apex is stated twice")
+    } else if collected.iter().any(|condition| condition.position == position) {
+        Some("nothing else can be stated at an apex")
+    } else {
+        None
+    };
+    let Some(message) = refused else { return Some(true) };
+    let finding = Diagnostic::new(Code::UnexpectedText, message).at(place);
+    reading.report(finding.hint("the sides at both ends of v end in it; their last points and tangents make it"));
+    None
 }
 
 /// The position of a boundary, symbolically and as a number; `None` where numbers are not known.

@@ -39,13 +39,23 @@ pub fn expand(
         }
         .into());
     };
-    let across = surface.parameter(&join.parameter.text).filter(|parameter| *parameter != Variable::T);
-    let Some(across) = across else {
-        let message = format!("a trimline of `{}` is where its first or second parameter is constant", name.text);
-        let finding = Diagnostic::new(Code::UnexpectedText, message).at(join.parameter.span);
+    let Some((parameter, position)) = &join.at else {
+        let message = format!("`{}` is a surface, and which of its curves is joined is missing", name.text);
+        let finding = Diagnostic::new(Code::UnexpectedText, message).at(join.span);
         return Err(finding.hint(format!("write `join {} at u = …`", name.text)).into());
     };
-    let position = lowering.constant(join.position, "the position of a trimline")?;
+    if join.is_reversed {
+        let message = "a curve of a surface runs with the patch, so it cannot be reversed";
+        let finding = Diagnostic::new(Code::UnexpectedText, message).at(join.span);
+        return Err(finding.hint("declare the surface with the parameter running the other way").into());
+    }
+    let across = surface.parameter(&parameter.text).filter(|parameter| *parameter != Variable::T);
+    let Some(across) = across else {
+        let message = format!("a trimline of `{}` is where its first or second parameter is constant", name.text);
+        let finding = Diagnostic::new(Code::UnexpectedText, message).at(parameter.span);
+        return Err(finding.hint(format!("write `join {} at u = …`", name.text)).into());
+    };
+    let position = lowering.constant(*position, "the position of a trimline")?;
     let arguments = arguments(across, position, lowering);
     let strength = match join.strength {
         Some(strength) => lowering.scalar(strength)?,

@@ -4,12 +4,15 @@
 //! that can be found at once. Nothing numerical is decided here except where boundaries lie.
 
 mod boundary;
+mod copies;
 mod curve;
 mod declarations;
 mod deformation;
+mod edges;
 mod equation;
 mod form;
 mod join;
+mod loops;
 mod lower;
 mod morph;
 mod net;
@@ -45,9 +48,11 @@ pub fn resolve(document: &Document, name: &str, limits: &Limits) -> Result<Probl
     let mut scope = Scope::new(&mut reading.graph, limits);
     prelude::provide(&document.tree, &mut scope, &mut reading);
     let definitions = document.shared.definitions.iter().map(|definition| &definition.name);
-    scope.announce(document.parameters.iter().map(|param| &param.name).chain(definitions));
+    let edges = document.edges.iter().map(|edge| &edge.name);
+    scope.announce(document.parameters.iter().map(|param| &param.name).chain(definitions).chain(edges));
     let parameters = declarations::parameters(&document.parameters, &mut scope, &mut reading);
     declarations::definitions(&document.shared.definitions, &mut scope, &mut reading);
+    edges::declare(&document.edges, &mut scope, &mut reading);
     let mut problem = Problem { parameters, ..Problem::default() };
     let (sections, domain) = patch::sections(document, name, &scope, &mut problem.parameters, &mut reading);
     problem.nets = net::resolve(document, &domain, &scope, &mut reading);
@@ -71,7 +76,12 @@ pub fn resolve(document: &Document, name: &str, limits: &Limits) -> Result<Probl
         problem.patches.extend(patch::resolve(section, bindings.as_ref(), &mut reading));
     }
     if let (Some(bindings), true) = (&bindings, reading.found.is_empty()) {
-        problem.seams = patch::seams(document, (&problem.patches, &problem.nets), &scope, bindings, &mut reading);
+        let parts = (0..problem.patches.len() + problem.nets.len()).filter_map(|index| problem.part_name(index));
+        let parts: Vec<String> = parts.map(str::to_owned).collect();
+        problem.copies = copies::resolve(document, &problem.patches, &parts, &scope, bindings, &mut reading);
+        let parts = patch::Parts { patches: &problem.patches, nets: &problem.nets, copies: &problem.copies };
+        problem.seams = patch::seams(document, parts, &scope, bindings, &mut reading);
+        problem.seams.extend(edges::seams(&problem.patches, bindings, &mut reading));
     }
     if reading.found.is_empty() {
         problem.morph = morph::request(&document.morphs, &problem.patches, &mut reading);

@@ -3,26 +3,38 @@
 use super::boundary;
 use super::declarations;
 use super::deformation;
+use super::edges;
 use super::equation;
+use super::loops;
 use super::lower::Lowering;
 use super::reading::{Fault, Reading};
 use super::scope::Scope;
 use crate::diagnostic::{Code, Diagnostic, Span};
-use crate::expr::{ExprId, Variable};
-use crate::problem::{Bindings, Domain, Net, Parameter, Patch, PdeOperator, RequestedSetting, Seam, SolveRequest};
-use crate::syntax::ast::{Document, Name, PatchBlock, PdeStatement, Range, SeamEdge, SolveStatement, Statements};
+use crate::expr::Variable;
+use crate::multisided::close_at_apex;
+use crate::problem::{
+    Bindings, Domain, Net, Parameter, Patch, PatchCopy, PdeOperator, RequestedSetting, Seam, SeamEdge, SolveRequest,
+};
+use crate::syntax::ast::{self, Document, Name, PatchBlock, PdeStatement, Range, SolveStatement, Statements};
 
 /// A patch whose boundary is still to be read.
 pub struct Section<'a> {
-    name: String,
+    /// What the user calls it.
+    pub name: String,
     /// Where its name is written.
-    place: Option<Span>,
-    statements: &'a Statements,
-    scope: Scope<'a>,
-    domain: Domain,
+    pub place: Option<Span>,
+    /// Whether it is a loop of edges.
+    pub is_loop: bool,
+    /// What it states.
+    pub statements: &'a Statements,
+    /// What names mean inside.
+    pub scope: Scope<'a>,
+    /// Its ranges.
+    pub domain: Domain,
     /// `None` if it is at fault.
-    operator: Option<PdeOperator>,
-    solve: SolveRequest,
+    pub operator: Option<PdeOperator>,
+    /// How it is to be solved.
+    pub solve: SolveRequest,
 }
 
 /// Everything about each patch but its boundary, and what is stated as the domain of all; coefficients of equations are
@@ -46,7 +58,8 @@ pub fn sections<'a>(
     if is_implicit {
         let (name, of_all) = (name.to_owned(), domain.clone());
         let scope = scope.inner();
-        return (vec![Section { name, place: None, statements: shared, scope, domain, operator, solve }], of_all);
+        let section = Section { name, place: None, is_loop: false, statements: shared, scope, domain, operator, solve };
+        return (vec![section], of_all);
     }
     let mut sections = Vec::with_capacity(document.patches.len());
     for block in &document.patches {
@@ -67,6 +80,7 @@ pub fn sections<'a>(
         sections.push(Section {
             name: block.name.text.clone(),
             place: Some(block.name.span),
+            is_loop: block.is_loop,
             statements,
             domain: self::domain(&statements.ranges, domain.clone(), &scope, reading),
             operator,
@@ -81,9 +95,16 @@ pub fn sections<'a>(
     (sections, domain)
 }
 
-/// The patch, or `None` if anything about it is at fault. Without `bindings` positions are not known.
-pub fn resolve(section: Section<'_>, bindings: Option<&Bindings>, reading: &mut Reading<'_>) -> Option<Patch> {
-    let Section { name, place, statements, scope, domain, operator, solve } = section;
+/// The patch, or the patches of a loop; none if anything about it is at fault. Without `bindings` positions are not known.
+pub fn resolve(section: Section<'_>, bindings: Option<&Bindings>, reading: &mut Reading<'_>) -> Vec<Patch> {
+    if section.is_loop {
+        return loops::resolve(section, bindings, reading).unwrap_or_default();
+    }
+    patch(section, bindings, reading).into_iter().collect()
+}
+
+fn patch(section: Section<'_>, bindings: Option<&Bindings>, reading: &mut Reading<'_>) -> Option<Patch> {
+    let Section { name, place, statements, scope, domain, operator, solve, .. } = section;
     let numbers = match bindings {
         None => None,
         Some(bindings) => {
@@ -97,25 +118,59 @@ pub fn resolve(section: Section<'_>, bindings: Option<&Bindings>, reading: &mut 
         across: Variable::U,
         order: operator.as_ref().map(PdeOperator::order_in_u),
         numbers: numbers.map(|(bindings, values)| (bindings, values.u)),
+        along: domain.ends[1],
         place,
     };
     let frame_v = boundary::Frame {
         across: Variable::V,
         order: operator.as_ref().map(PdeOperator::order_in_v),
         numbers: numbers.map(|(bindings, values)| (bindings, values.v)),
+        along: domain.ends[0],
         place,
     };
     let at_u = boundary::at_u(boundaries, &frame_u, &scope, reading);
     let at_v = boundary::at_v(boundaries, &frame_v, &scope, reading);
     let deformations = deformation::resolve(&statements.deformations, numbers, &scope, reading);
     let ((conditions, joins), side_conditions) = (at_u?, at_v?);
-    Some(Patch { name, domain, operator: operator?, conditions, joins, side_conditions, deformations, solve })
+    let operator = operator?;
+    let mut patch = Patch { name, domain, operator, conditions, joins, side_conditions, deformations, solve };
+    if boundaries.iter().any(|boundary| !boundary.constraints.apexes.is_empty()) {
+        let closed = close_at_apex(&mut reading.graph, &mut patch, reading.limits);
+        reading.keep(closed)?;
+    }
+    edges::name_uses(&patch.name, reading);
+    Some(patch)
 }
 
-/// The seams that are stated between `patches` and `nets`.
+/// The parts of a document that can meet: patches, nets and copies of both.
+#[derive(Clone, Copy)]
+pub struct Parts<'a> {
+    /// Patches, loops already divided.
+    pub patches: &'a [Patch],
+    /// B-spline nets.
+    pub nets: &'a [Net],
+    /// Copies.
+    pub copies: &'a [PatchCopy],
+}
+
+impl Parts<'_> {
+    /// What part number `index` is, or is a copy of.
+    fn original(&self, index: usize) -> usize {
+        let copy = index.checked_sub(self.patches.len() + self.nets.len()).and_then(|index| self.copies.get(index));
+        copy.map_or(index, |copy| copy.original)
+    }
+
+    fn names(&self) -> Vec<&str> {
+        let own = self.patches.iter().map(|patch| patch.name.as_str());
+        let own = own.chain(self.nets.iter().map(|net| net.name.as_str()));
+        own.chain(self.copies.iter().map(|copy| copy.name.as_str())).collect()
+    }
+}
+
+/// The seams that are stated between `parts`.
 pub fn seams(
     document: &Document,
-    (patches, nets): (&[Patch], &[Net]),
+    parts: Parts<'_>,
     scope: &Scope<'_>,
     bindings: &Bindings,
     reading: &mut Reading<'_>,
@@ -123,46 +178,52 @@ pub fn seams(
     let mut seams = Vec::with_capacity(document.seams.len());
     for seam in &document.seams {
         let edges = seam.edges.each_ref().map(|edge| {
-            let edge = seam_edge(edge, (patches, nets), bindings, &mut reading.lowering(scope));
+            let edge = seam_edge(edge, parts, bindings, &mut reading.lowering(scope));
             reading.keep(edge)
         });
         if let [Some(first), Some(second)] = edges {
-            seams.push(Seam { edges: [first, second], origin: Some(seam.span) });
+            seams.push(Seam { edges: [first, second], is_smooth: false, origin: Some(seam.span) });
         }
     }
     seams
 }
 
 fn seam_edge(
-    edge: &SeamEdge,
-    (patches, nets): (&[Patch], &[Net]),
+    edge: &ast::SeamEdge,
+    parts: Parts<'_>,
     bindings: &Bindings,
     lowering: &mut Lowering<'_>,
-) -> Result<(usize, ExprId), Fault> {
+) -> Result<SeamEdge, Fault> {
     let name = &edge.patch;
-    let names = patches.iter().map(|patch| patch.name.as_str()).chain(nets.iter().map(|net| net.name.as_str()));
-    let known: Vec<&str> = names.collect();
+    let known = parts.names();
     let Some(index) = known.iter().position(|known| *known == name.text) else {
         let finding = Diagnostic::new(Code::UnknownName, format!("there is no patch `{}`", name.text)).at(name.span);
         return Err(finding.hint(format!("patches: {}", known.join(", "))).into());
     };
-    if edge.variable.text != Variable::U.name() {
-        let message = format!("patches meet at values of u, not of `{}`", edge.variable.text);
-        return Err(Diagnostic::new(Code::UnexpectedText, message).at(edge.variable.span).into());
-    }
+    let Parts { patches, nets, .. } = parts;
+    let original = parts.original(index);
+    let across = match edge.variable.text.as_str() {
+        "u" => Variable::U,
+        "v" if patches.get(original).is_some_and(Patch::is_four_sided) => Variable::V,
+        other => {
+            let message = format!("patches meet at values of u, or of v if they have four sides, not of `{other}`");
+            return Err(Diagnostic::new(Code::UnexpectedText, message).at(edge.variable.span).into());
+        }
+    };
     let u = lowering.constant(edge.position, "the position of a seam")?;
     let place = lowering.tree.span(edge.position);
-    let domain = match (patches.get(index), nets.get(index.saturating_sub(patches.len()))) {
+    let domain = match (patches.get(original), nets.get(original.saturating_sub(patches.len()))) {
         (Some(patch), _) => patch.domain.evaluate_in(lowering.graph, bindings)?,
         (None, Some(net)) => net.domain_in(lowering.graph, bindings)?,
         (None, None) => return Err(Fault::Follows),
     };
-    let [low, high] = domain.u;
+    let [low, high] = if across == Variable::U { domain.u } else { domain.v };
     let position = bindings.constant_in(lowering.graph, u, Some(place), "the position of a seam")?;
     if (low..=high).contains(&position) {
-        return Ok((index, u));
+        return Ok(SeamEdge { patch: index, across, position: u, part: [0.0, 1.0] });
     }
-    let message = format!("u = {position} lies outside the domain u in [{low}, {high}] of `{}`", name.text);
+    let message =
+        format!("{0} = {position} lies outside the domain {0} in [{low}, {high}] of `{1}`", across.name(), name.text);
     Err(Diagnostic::new(Code::DependentConstraints, message).at(place).into())
 }
 

@@ -1,5 +1,6 @@
 //! What every stage of resolving works on, and what it reports.
 
+use super::edges::{EdgeMeaning, EdgeUse};
 use super::lower::Lowering;
 use super::scope::Scope;
 use crate::diagnostic::{Class, Diagnostic, Diagnostics, MOST_FINDINGS};
@@ -33,6 +34,10 @@ pub struct Reading<'a> {
     pub surfaces: Vec<PrimarySurface>,
     /// The data files it names.
     pub files: &'a [DataFile],
+    /// Edges that were declared.
+    pub edges: Vec<EdgeMeaning>,
+    /// Sides of patches that lie on declared edges.
+    pub edge_uses: Vec<EdgeUse>,
     /// Bounds on the graph.
     pub limits: &'a Limits,
     /// What comes from data files, as statements.
@@ -51,11 +56,18 @@ impl<'a> Reading<'a> {
             graph,
             files: &[],
             surfaces: Vec::new(),
+            edges: Vec::new(),
+            edge_uses: Vec::new(),
             data: Vec::new(),
             limits,
             found: Diagnostics::new(),
             is_over: false,
         }
+    }
+
+    /// The declared edge `name` and its place among them.
+    pub fn edge(&self, name: &str) -> Option<(usize, &EdgeMeaning)> {
+        self.edges.iter().enumerate().find(|(_, edge)| edge.name == name)
     }
 
     /// A lowering of expressions whose names mean what `scope` says.

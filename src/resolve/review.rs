@@ -70,5 +70,6 @@ fn unused(document: &Document) -> Diagnostics {
         };
         unused(what, &definition.name)
     });
-    params.chain(definitions).collect()
+    let edges = document.edges.iter().filter_map(|edge| unused("edge", &edge.name));
+    params.chain(definitions).chain(edges).collect()
 }

@@ -22,6 +22,10 @@ pub struct Document {
     pub seams: Vec<Seam>,
     /// Which patches become which others; more than one is an error of the next stage.
     pub morphs: Vec<Morph>,
+    /// Declared edges, in source order.
+    pub edges: Vec<Edge>,
+    /// Copies of patches, in source order.
+    pub copies: Vec<Copies>,
     /// The data files it names, each once, in the order of their first mention.
     pub files: Vec<DataFile>,
 }
@@ -74,13 +78,19 @@ pub struct Statements {
     pub solves: Vec<SolveStatement>,
     /// `deform` statements, in source order.
     pub deformations: Vec<Deformation>,
+    /// The edges of a loop, in source order.
+    pub loop_edges: Vec<LoopEdge>,
+    /// `centre = …` of a loop; more than one is an error of the next stage.
+    pub centres: Vec<Expression>,
 }
 
-/// `patch NAME { … }`
+/// `patch NAME { … }` or `nsided NAME { … }`
 #[derive(Debug, Clone, PartialEq)]
 pub struct PatchBlock {
     /// What the user calls the patch.
     pub name: Name,
+    /// Whether it is a loop of edges.
+    pub is_loop: bool,
     /// What the block states.
     pub statements: Statements,
 }
@@ -239,6 +249,56 @@ pub struct Deformation {
     pub span: Span,
 }
 
+/// `edge NAME = [x, y, z], across = [x, y, z] keeping C0`
+#[derive(Debug, Clone, PartialEq)]
+pub struct Edge {
+    /// What the user calls it.
+    pub name: Name,
+    /// The curve.
+    pub curve: Expression,
+    /// The tangent across it, if it has one.
+    pub across: Option<Expression>,
+    /// `C0` or `C1`.
+    pub continuity: Option<Name>,
+    /// The whole statement.
+    pub span: Span,
+}
+
+/// `edge NAME, reversed` or `edge [x, y, z], across = [x, y, z]` of a loop
+#[derive(Debug, Clone, PartialEq)]
+pub struct LoopEdge {
+    /// The curve, or the name of a declared edge.
+    pub curve: Expression,
+    /// The tangent across it, if it is stated.
+    pub across: Option<Expression>,
+    /// Whether it is run through backwards.
+    pub is_reversed: bool,
+    /// The whole statement.
+    pub span: Span,
+}
+
+/// `mirror A, B in y = 0` or `repeat A, B 4 times …`
+#[derive(Debug, Clone, PartialEq)]
+pub struct Copies {
+    /// What is copied.
+    pub patches: Vec<Name>,
+    /// Where the copies are.
+    pub motion: Motion,
+    /// The whole statement.
+    pub span: Span,
+}
+
+/// Where copies are.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Motion {
+    /// On the other side of the plane where a coordinate has this value.
+    Mirrored(Name, Expression),
+    /// As many in all, each turned about an axis by this angle against the one before.
+    Rotated(usize, Name, Expression),
+    /// As many in all, each moved by this vector from the one before.
+    Moved(usize, Expression),
+}
+
 /// `at u = c:` or `at v = c:` with the constraints stated there.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Boundary {
@@ -255,19 +315,21 @@ pub struct Boundary {
 pub struct Constraints {
     /// Single constraints, in source order.
     pub single: Vec<Constraint>,
-    /// Joined surfaces, in source order.
+    /// Joined surfaces and edges, in source order.
     pub joins: Vec<Join>,
+    /// Where it is said that the side is a point.
+    pub apexes: Vec<Span>,
 }
 
-/// `join S1 at u = u1, strength = k, flip`
+/// `join S1 at u = u1, strength = k, flip` or `join E, reversed`
 #[derive(Debug, Clone, PartialEq)]
 pub struct Join {
-    /// The surface.
+    /// The surface or the edge.
     pub surface: Name,
-    /// The parameter that is constant along the trimline.
-    pub parameter: Name,
-    /// Its value there.
-    pub position: Expression,
+    /// The parameter of the surface that is constant along the trimline, and its value there; `None` for an edge.
+    pub at: Option<(Name, Expression)>,
+    /// Whether an edge is run through backwards.
+    pub is_reversed: bool,
     /// What the tangent is multiplied by.
     pub strength: Option<Expression>,
     /// Whether the tangent is turned round.

@@ -4,6 +4,7 @@
 //! name is a name, and `h0(1 - t)` stays an application until [`resolve`](crate::resolve) knows what `h0` is.
 
 mod ambiguity;
+mod assembly;
 pub mod ast;
 mod bars;
 mod brackets;
@@ -36,7 +37,7 @@ use crate::limits::Limits;
 /// Words that are no names.
 const RESERVED_WORDS: &[&str] = &[
     "param", "let", "domain", "pde", "with", "at", "solve", "in", "surface", "seam", "patch", "join", "deform",
-    "keeping", "curve", "morph", "bspline", "knots", "net", "layer",
+    "keeping", "curve", "morph", "bspline", "knots", "net", "layer", "nsided", "edge", "mirror", "repeat",
 ];
 
 /// Parses a spec.
@@ -92,7 +93,8 @@ fn open_block(document: &mut Document, prepared: &Prepared, line: Span) -> Optio
         document.nets.push(NetBlock::new(name));
         return Some(Block::Net);
     }
-    document.patches.push(PatchBlock { name, statements: Statements::default() });
+    let is_loop = prepared.text.get(line.start..line.end).is_some_and(|text| text.starts_with("nsided"));
+    document.patches.push(PatchBlock { name, is_loop, statements: Statements::default() });
     Some(Block::Patch)
 }
 

@@ -70,7 +70,8 @@ impl Statement {
             Statement::Boundary(boundary) => Some(boundary.variable.span),
             Statement::Constraints(constraints) => {
                 let single = constraints.single.first().map(|constraint| constraint.span);
-                single.or(constraints.joins.first().map(|join| join.span))
+                let single = single.or(constraints.joins.first().map(|join| join.span));
+                single.or(constraints.apexes.first().copied())
             }
             Statement::Deformation(deformation) => Some(deformation.span),
             Statement::Solve(solve) => Some(solve.method.span),
@@ -79,7 +80,10 @@ impl Statement {
             Statement::Knots(knots) => knots.first().map(|knots| knots.span),
             Statement::Net(net) => Some(net.span),
             Statement::Layer(layer) => Some(layer.index.span),
-            Statement::PatchBegins(name) | Statement::NetBegins(name) => Some(name.span),
+            Statement::Edge(edge) => Some(edge.span),
+            Statement::Centre(_, span) => Some(*span),
+            Statement::Copies(copies) => Some(copies.span),
+            Statement::PatchBegins(name) | Statement::NetBegins(name) | Statement::LoopBegins(name) => Some(name.span),
             Statement::BlockEnds => None,
         }
     }

@@ -134,6 +134,14 @@ fn words(rule: Rule) -> Option<&'static str> {
         | Rule::kw_deform
         | Rule::seam_line
         | Rule::kw_seam
+        | Rule::nsided_line
+        | Rule::kw_nsided
+        | Rule::edge_line
+        | Rule::kw_edge
+        | Rule::mirror_line
+        | Rule::kw_mirror
+        | Rule::repeat_line
+        | Rule::kw_repeat
         | Rule::surface_line
         | Rule::kw_surface
         | Rule::curve_line
@@ -141,7 +149,7 @@ fn words(rule: Rule) -> Option<&'static str> {
         | Rule::morph_line
         | Rule::kw_morph
         | Rule::kw_solve => {
-            "a statement (`param`, `let`, `surface`, `curve`, `domain`, `pde`, `at`, `solve`, `deform`, `patch`, `seam`, `morph`, `bspline`)"
+            "a statement (`param`, `let`, `surface`, `curve`, `domain`, `pde`, `at`, `solve`, `deform`, `patch`, `seam`, `morph`, `bspline`, `edge`, `nsided`, `mirror`, `repeat`)"
         }
         Rule::surface | Rule::curve | Rule::pair => "a name",
         Rule::points => "`points(\"file.csv\")`",
@@ -151,6 +159,10 @@ fn words(rule: Rule) -> Option<&'static str> {
         Rule::kw_from => "`from`",
         Rule::kw_sampled => "`sampled`",
         Rule::strength | Rule::kw_strength | Rule::flip => "`strength = …` or `flip`",
+        Rule::kw_times => "`times`",
+        Rule::rotated | Rule::kw_rotated => "`rotated about …`",
+        Rule::moved | Rule::kw_moved => "`moved by …`",
+        Rule::kw_about => "`about`",
         Rule::kw_at => "`at`",
         Rule::kw_in => "`in`",
         Rule::kw_by => "`by`",

@@ -17,11 +17,11 @@ use crate::limits::Limits;
 /// Words that begin a statement and therefore end the one before.
 const STATEMENT_WORDS: &[&str] = &[
     "param", "let", "domain", "pde", "at", "solve", "deform", "surface", "seam", "patch", "curve", "morph", "bspline",
-    "knots", "net", "layer",
+    "knots", "net", "layer", "nsided", "edge", "mirror", "repeat",
 ];
 
 /// Words of statements that open a block.
-const BLOCK_WORDS: &[&str] = &["patch", "bspline"];
+const BLOCK_WORDS: &[&str] = &["patch", "bspline", "nsided"];
 
 /// A text that is ready for the grammar.
 pub struct Prepared {
@@ -241,7 +241,7 @@ fn blanked(text: &str, limits: &Limits) -> Result<Prepared, Diagnostics> {
     Ok(Prepared { text, lines, brackets, blocks, places: Places::default(), shown: String::new(), quoted })
 }
 
-/// Whether the `{` at `at` opens the block of the statement that began at `statement`: `patch NAME {`.
+/// Whether the `{` at `at` opens the block of the statement that began at `statement`: `patch NAME {`, `nsided NAME {`.
 fn opens_block(text: &str, statement: Option<usize>, at: usize) -> bool {
     let before = statement.and_then(|start| text.get(start..at)).unwrap_or("");
     // The brace of a subscript stands behind its underscore.

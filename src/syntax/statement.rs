@@ -1,9 +1,10 @@
 //! Parsed lines to statements of the [`Document`].
 
+use super::assembly::{self, EdgeStatement};
 use super::ast::{
-    Boundary, Constraint, Constraints, Definition, DefinitionKind, Deformation, Document, Expression, Join, Kind,
-    Knots, Layer, Morph, Name, NetBlock, NetStatement, Parameter, PatchBlock, PdeStatement, Range, Seam, SeamEdge,
-    Setting, SolveStatement, Statements, Unknown,
+    Boundary, Constraint, Constraints, Copies, Definition, DefinitionKind, Deformation, Document, Expression, Join,
+    Kind, Knots, Layer, Morph, Name, NetBlock, NetStatement, Parameter, PatchBlock, PdeStatement, Range, Seam,
+    SeamEdge, Setting, SolveStatement, Statements, Unknown,
 };
 use super::expression::Builder;
 use super::files::check_path;
@@ -43,6 +44,14 @@ pub enum Statement {
     Net(NetStatement),
     /// `layer …`
     Layer(Layer),
+    /// `nsided NAME {`
+    LoopBegins(Name),
+    /// `edge …`
+    Edge(EdgeStatement),
+    /// `centre = …`
+    Centre(Expression, Span),
+    /// `mirror …` or `repeat …`
+    Copies(Copies),
     /// `}`
     BlockEnds,
 }
@@ -50,7 +59,7 @@ pub enum Statement {
 /// The kind of block that is open.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Block {
-    /// `patch NAME {`
+    /// `patch NAME {` or `nsided NAME {`
     Patch,
     /// `bspline NAME {`
     Net,
@@ -99,11 +108,14 @@ impl Statement {
                 Some(boundary) => {
                     boundary.constraints.single.extend(constraints.single);
                     boundary.constraints.joins.extend(constraints.joins);
+                    boundary.constraints.apexes.extend(constraints.apexes);
                 }
                 None if is_faulty => {}
                 None => {
                     let first = constraints.single.first().map(|constraint| constraint.span);
-                    let first = first.or(constraints.joins.first().map(|join| join.span));
+                    let first = first
+                        .or(constraints.joins.first().map(|join| join.span))
+                        .or(constraints.apexes.first().copied());
                     return Err(Diagnostic::new(Code::UnexpectedText, "a constraint stands outside a boundary block")
                         .at(first)
                         .hint("open the block first: `at u = 0:`"));
@@ -122,12 +134,24 @@ impl Statement {
                 document.morphs.push(morph);
             }
             Statement::PatchBegins(name) => {
-                document.patches.push(PatchBlock { name, statements: Statements::default() });
+                document.patches.push(PatchBlock { name, is_loop: false, statements: Statements::default() });
                 *open = Some(Block::Patch);
             }
             Statement::NetBegins(name) => {
                 document.nets.push(NetBlock::new(name));
                 *open = Some(Block::Net);
+            }
+            Statement::LoopBegins(name) => {
+                document.patches.push(PatchBlock { name, is_loop: true, statements: Statements::default() });
+                *open = Some(Block::Patch);
+            }
+            Statement::Edge(edge) => edge.add_to(document, *open)?,
+            Statement::Centre(centre, span) => assembly::add_centre(document, *open, centre, span)?,
+            Statement::Copies(copies) => {
+                if let (Some(_), Some(first)) = (*open, copies.patches.first()) {
+                    return Err(shared_only("copy", first));
+                }
+                document.copies.push(copies);
             }
             Statement::BlockEnds => *open = None,
             Statement::Knots(_) | Statement::Net(_) | Statement::Layer(_) if is_faulty => {}
@@ -223,6 +247,14 @@ impl Builder<'_> {
             Rule::net_line => Statement::Net(self.net(parts, whole)?),
             Rule::layer_line => Statement::Layer(self.layer(parts)?),
             Rule::patch_end => Statement::BlockEnds,
+            Rule::nsided_line => Statement::LoopBegins(self.take_name(&mut parts.into_iter())?),
+            Rule::edge_line => Statement::Edge(self.edge(parts, whole)?),
+            Rule::centre_line => {
+                let mut inner = parts.filter(|part| part.as_rule() == Rule::expression);
+                Statement::Centre(self.take_expression(&mut inner)?, whole)
+            }
+            Rule::mirror_line => Statement::Copies(self.mirror(parts, whole)?),
+            Rule::repeat_line => Statement::Copies(self.repeat(parts, whole)?),
             _ => return Err(internal()),
         })
     }
@@ -333,6 +365,10 @@ impl Builder<'_> {
         for part in parts.filter(|part| part.as_rule() == Rule::constraint) {
             let span = self.span(&part);
             let mut inner = part.into_inner().peekable();
+            if inner.next_if(|part| part.as_rule() == Rule::apex).is_some() {
+                constraints.apexes.push(span);
+                continue;
+            }
             if let Some(join) = inner.next_if(|part| part.as_rule() == Rule::join) {
                 constraints.joins.push(self.join(join)?);
                 continue;
@@ -345,14 +381,21 @@ impl Builder<'_> {
 
     fn join(&mut self, part: Parsed<'_>) -> Result<Join, Diagnostic> {
         let span = self.span(&part);
-        let mut inner = part.into_inner().filter(|part| !matches!(part.as_rule(), Rule::kw_join | Rule::kw_at));
-        let (surface, parameter) = (self.take_name(&mut inner)?, self.take_name(&mut inner)?);
-        let position = self.take_expression(&mut inner)?;
-        let mut join = Join { surface, parameter, position, strength: None, is_flipped: false, span };
+        let mut inner = part.into_inner().filter(|part| part.as_rule() != Rule::kw_join).peekable();
+        let surface = self.take_name(&mut inner)?;
+        let at = match inner.next_if(|part| part.as_rule() == Rule::joined_at) {
+            None => None,
+            Some(at) => {
+                let mut inner = at.into_inner().filter(|part| part.as_rule() != Rule::kw_at);
+                Some((self.take_name(&mut inner)?, self.take_expression(&mut inner)?))
+            }
+        };
+        let mut join = Join { surface, at, is_reversed: false, strength: None, is_flipped: false, span };
         for option in inner {
             let place = self.span(&option);
             let is_new = match option.as_rule() {
                 Rule::flip => !std::mem::replace(&mut join.is_flipped, true),
+                Rule::reversed => !std::mem::replace(&mut join.is_reversed, true),
                 _ => {
                     let mut inner = option.into_inner().filter(|part| part.as_rule() == Rule::expression);
                     let strength = self.take_expression(&mut inner)?;

@@ -4,7 +4,7 @@ use crate::diagnostic::Diagnostic;
 use crate::expr::Derivative;
 use crate::surface::Surface;
 
-use super::mesh::{Field, Mesh};
+use super::mesh::{Field, MEAN_CURVATURE, Mesh};
 use super::samples::EVALUATION_ERROR;
 
 /// Gaussian curvature K and mean curvature H of `surface` at instant `t` at every vertex of its `mesh`.
@@ -35,7 +35,7 @@ pub fn curvatures(surface: &dyn Surface, mesh: &Mesh, t: f64) -> Result<[Field; 
         gaussian.push(k);
         mean.push(h);
     }
-    Ok([Field { name: "gaussian_curvature", values: gaussian }, Field { name: "mean_curvature", values: mean }])
+    Ok([Field { name: "gaussian_curvature", values: gaussian }, Field { name: MEAN_CURVATURE, values: mean }])
 }
 
 /// K and H from S_u, S_v and the second derivatives; a tangent no longer than its `rounding` has no direction.

@@ -1,5 +1,8 @@
 //! Meshes as plain data.
 
+/// The field of a surface that has a sign by the side of its normal.
+pub const MEAN_CURVATURE: &str = "mean_curvature";
+
 /// Quads over shared vertices; everything but `fields` and `quads` has one entry per vertex.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Mesh {
@@ -57,6 +60,24 @@ pub struct Scene {
 }
 
 impl Mesh {
+    /// The mesh seen from its other side: normals turned round, quads run through backwards, and with them the sign of
+    /// the mean curvature. A mirror image needs it to face as its original does.
+    #[must_use]
+    pub fn turned(mut self) -> Mesh {
+        for normal in &mut self.normals {
+            *normal = normal.map(|x| -x);
+        }
+        for [_, second, _, fourth] in &mut self.quads {
+            std::mem::swap(second, fourth);
+        }
+        for field in self.fields.iter_mut().filter(|field| field.name == MEAN_CURVATURE) {
+            for value in &mut field.values {
+                *value = -*value;
+            }
+        }
+        self
+    }
+
     /// The values of u at the rows of vertices and of v at their columns.
     #[must_use]
     pub fn axes(&self) -> (Vec<f64>, Vec<f64>) {

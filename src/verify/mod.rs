@@ -9,7 +9,7 @@ mod join;
 mod seam;
 
 pub use join::{JoinDeviation, verify_joins};
-pub use seam::{Edge, SeamDeviation};
+pub use seam::{Edge, Line, SeamDeviation};
 
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::eval::{Backend, Program, Samples, compile};

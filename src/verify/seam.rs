@@ -1,14 +1,27 @@
-//! Judges how two patches meet along edges of constant u.
+//! Judges how two patches meet along edges of constant u or v.
 
 use super::contact::{Vector, angle_degrees, distance, normals, turn_degrees, worse};
 use crate::diagnostic::Diagnostic;
-use crate::expr::Derivative;
+use crate::expr::{Derivative, Variable};
 use crate::surface::Surface;
 
-/// A curve of constant u of a solved patch at one instant, usually an edge.
+/// A curve of constant u or v of a solved patch at one instant, usually an edge.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Edge {
     places: Vec<Place>,
+}
+
+/// Where on a patch an edge lies.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Line {
+    /// The coordinate that is fixed: u or v.
+    pub across: Variable,
+    /// Its value.
+    pub position: f64,
+    /// Its range in the patch.
+    pub domain: [f64; 2],
+    /// From where to where the other coordinate runs.
+    pub along: [f64; 2],
 }
 
 /// A point of an edge.
@@ -36,29 +49,29 @@ pub struct SeamDeviation {
 const POINTS: usize = 48;
 
 impl Edge {
-    /// Samples the curve `u` of `surface`, a patch over `domain_u` and `[low, high]`, at instant `t`.
+    /// Samples the curve `line` of `surface` at instant `t`.
     ///
     /// # Errors
     /// Whatever the surface says when it cannot be evaluated.
-    pub fn sample(
-        surface: &dyn Surface,
-        (u, domain_u): (f64, [f64; 2]),
-        [low, high]: [f64; 2],
-        t: f64,
-    ) -> Result<Edge, Diagnostic> {
+    pub fn sample(surface: &dyn Surface, line: Line, t: f64) -> Result<Edge, Diagnostic> {
+        let Line { across, position, domain, along: [low, high] } = line;
+        let is_at_u = across == Variable::U;
         let last = (POINTS - 1) as f64;
-        let v: Vec<f64> =
+        let along: Vec<f64> =
             (0..POINTS).map(|i| if i + 1 == POINTS { high } else { low + (high - low) * (i as f64 / last) }).collect();
         let values = |orders: Derivative| {
-            let mut values = vec![[0.0; 3]; v.len()];
-            surface.evaluate_grid(orders, (&[u], &v, t), &mut values).map(|()| values)
+            let mut values = vec![[0.0; 3]; along.len()];
+            let (u, v) = if is_at_u { (&[position][..], &along[..]) } else { (&along[..], &[position][..]) };
+            surface.evaluate_grid(orders, (u, v, t), &mut values).map(|()| values)
         };
         let points = values(Derivative::NONE)?;
-        let tangents = values(Derivative::new(1, 0, 0))?.into_iter().zip(values(Derivative::new(0, 1, 0))?);
+        let orders = [Derivative::new(1, 0, 0), Derivative::new(0, 1, 0)];
+        let [across, along] = if is_at_u { orders } else { [orders[1], orders[0]] };
+        let tangents = values(across)?.into_iter().zip(values(along)?);
         let normals = normals(&points, tangents.clone());
-        let out_of = |tangent: Vector| match domain_u {
-            [_, end] if u == end => Some(tangent),
-            [start, _] if u == start => Some(tangent.map(|x| -x)),
+        let out_of = |tangent: Vector| match domain {
+            [_, end] if position == end => Some(tangent),
+            [start, _] if position == start => Some(tangent.map(|x| -x)),
             _ => None,
         };
         let places = points.into_iter().zip(normals).zip(tangents);
@@ -76,6 +89,20 @@ impl Edge {
             high - low
         };
         range(0).hypot(range(1)).hypot(range(2))
+    }
+
+    /// Whether the ends and a place between them are no farther apart than `gap` in one of both directions: what
+    /// [`Edge::meet`] may find to meet, at a fraction of the cost.
+    #[must_use]
+    pub fn may_meet(&self, other: &Edge, gap: f64) -> bool {
+        let count = self.places.len();
+        let chosen = [0, count / 3, count.saturating_sub(1)];
+        let is_near = |place: usize, opposite: usize| {
+            let points = self.places.get(place).zip(other.places.get(opposite));
+            points.is_some_and(|(a, b)| distance(a.point, b.point) <= gap)
+        };
+        chosen.iter().all(|place| is_near(*place, *place))
+            || chosen.iter().all(|place| is_near(*place, count.saturating_sub(1 + place)))
     }
 
     /// How the edges meet when both run the same way, or in opposite ways: the better of the two.

@@ -40,8 +40,6 @@ const ELSEWHERE: &[(Code, &str)] = &[
     (Code::TwistsDisagree, "tests of the method `four_sided`"),
     (Code::NotElliptic, "tests of the method `four_sided`"),
     (Code::TermsTooFew, "tests of the method `four_sided`"),
-    (Code::EdgeCount, "tests of loops"),
-    (Code::LoopOpen, "tests of loops"),
     (Code::NotSeparable, "tests of specs with four sides"),
     (Code::NoFormula, "tests of curves"),
     (Code::ApexNotSmooth, "tests of patches with an apex"),

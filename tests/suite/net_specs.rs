@@ -185,7 +185,7 @@ seam base at u = 1 with top at u = 1
 ";
     let blend = blend(text);
     assert_eq!((blend.patches.len(), blend.nets.len()), (1, 1));
-    assert_eq!(blend.problem.seams[0].edges.map(|(part, _)| part), [0, 1]);
+    assert_eq!(blend.problem.seams[0].edges.map(|edge| edge.patch), [0, 1]);
     assert_eq!(blend.problem.part_name(1), Some("top"));
     assert_eq!(blend.nets[0].domain.u, [1.0, 2.0]);
     assert_eq!(blend.fill(1, 0.0).map(|_| ()).expect_err("one net").code, Code::SettingOutOfRange);

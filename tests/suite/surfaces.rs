@@ -2,12 +2,12 @@
 
 use trimline::blend::Blend;
 use trimline::diagnostic::{Code, Diagnostic, Source};
-use trimline::expr::{Derivative, Notation};
+use trimline::expr::{Derivative, Notation, Variable};
 use trimline::limits::Limits;
 use trimline::method::Options;
 use trimline::problem::{Bindings, Problem};
 use trimline::surface::Surface;
-use trimline::verify::{Edge, JoinDeviation, verify_joins};
+use trimline::verify::{Edge, JoinDeviation, Line, verify_joins};
 
 use crate::spec::{problem, problem_within};
 
@@ -363,8 +363,10 @@ fn seam_has_the_gap_and_the_angle_of_its_edges_whichever_way_they_run() {
     let turn = [0.0, std::f64::consts::TAU];
     let (straight, steep) = (Cone { a: 0.0, turns: false }, Cone { a: 1.0, turns: false });
     // The steep cone begins where the straight one ends, or where its own ends run backwards.
-    let edge =
-        |surface: &Cone, u: f64, domain: [f64; 2]| Edge::sample(surface, (u, domain), turn, 0.0).expect("finite");
+    let edge = |surface: &Cone, position: f64, domain: [f64; 2]| {
+        let line = Line { across: Variable::U, position, domain, along: turn };
+        Edge::sample(surface, line, 0.0).expect("finite")
+    };
     let (low, high) = ([-1.0, 0.0], [0.0, 1.0]);
     let kink = edge(&straight, 0.0, low).meet(&edge(&steep, 0.0, high));
     assert!(kink.gap == 0.0 && (kink.angle_degrees.unwrap() - 45.0).abs() < 1e-12, "{kink:?}");

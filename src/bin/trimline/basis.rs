@@ -80,6 +80,9 @@ pub fn run(arguments: &Arguments, _terminal: &Terminal) -> Outcome {
     }
     let spec = Spec::read(&arguments.spec, &arguments.reading)?;
     spec.without_nets("basis")?;
+    if spec.patches.is_empty() {
+        spec.without_copies("basis")?;
+    }
     let mut texts = Vec::new();
     let mut patches = Vec::new();
     for patch in &spec.patches {

@@ -58,6 +58,8 @@ const LARGE_RESIDUAL: f64 = 0.1;
 struct Report {
     patches: Vec<PatchReport>,
     nets: Vec<NetReport>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    copies: Vec<CopyReport>,
     seams: Vec<SeamReport>,
     passed: bool,
 }
@@ -108,8 +110,15 @@ struct Boundary {
     max_error: f64,
 }
 
+/// A copy, of which holds what holds of its original.
+#[derive(Serialize)]
+struct CopyReport {
+    name: String,
+    original: String,
+}
+
 /// What one spec adds to the report, and the stated seams that are open.
-type Checked = (Vec<PatchReport>, Vec<NetReport>, Vec<SeamReport>, Option<Failure>);
+type Checked = (Vec<PatchReport>, Vec<NetReport>, Vec<CopyReport>, Vec<SeamReport>, Option<Failure>);
 
 pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
     for (option, most) in [("--max-gap", arguments.max_gap), ("--max-angle", arguments.max_angle)] {
@@ -117,13 +126,15 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
             return Err(Failure::Usage(format!("{option} takes a number, 0 or more")));
         }
     }
-    let mut report = Report { patches: Vec::new(), nets: Vec::new(), seams: Vec::new(), passed: true };
+    let mut report =
+        Report { patches: Vec::new(), nets: Vec::new(), copies: Vec::new(), seams: Vec::new(), passed: true };
     let mut failures: Vec<Failure> = Vec::new();
     for path in &arguments.spec {
         match check(path, arguments, terminal) {
-            Ok((patches, nets, seams, open)) => {
+            Ok((patches, nets, copies, seams, open)) => {
                 report.patches.extend(patches);
                 report.nets.extend(nets);
+                report.copies.extend(copies);
                 report.seams.extend(seams);
                 report.passed &= open.is_none();
                 if let Some(open) = open {
@@ -170,7 +181,7 @@ fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Check
     print_warnings(&spec.warnings, &spec.source, terminal);
     let mut reports = Vec::new();
     let parts = spec.parts(&arguments.solving, arguments.collocation.points.as_deref())?;
-    let mut net_reports = Vec::new();
+    let (mut net_reports, mut copies) = (Vec::new(), Vec::new());
     for part in &parts {
         let times = match arguments.solving.time {
             Some(_) => vec![part.instant(arguments.solving.time)?],
@@ -180,6 +191,11 @@ fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Check
             Part::Patch(patched) => patched,
             Part::Net(_) => {
                 net_reports.push(nets::report(&spec, part, times, terminal)?);
+                continue;
+            }
+            Part::Copy(copied) => {
+                let original = copied.original.name().to_owned();
+                copies.push(CopyReport { name: part.name().to_owned(), original });
                 continue;
             }
         };
@@ -233,7 +249,7 @@ fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Check
         None => Default::default(),
     };
     let open = if open.is_empty() { None } else { Some(Failure::found(&spec.source, open)) };
-    Ok((reports, net_reports, seams, open))
+    Ok((reports, net_reports, copies, seams, open))
 }
 
 /// The instants at which seams are measured; `None` if there can be none.
@@ -322,8 +338,11 @@ fn text(report: &Report) -> String {
     for net in &report.nets {
         nets::write_report(&mut text, net);
     }
+    for CopyReport { name, original } in &report.copies {
+        let _ = writeln!(text, "patch {name}: a copy of {original}");
+    }
     for SeamReport { between: [a, b], gap, angle_degrees, .. } in &report.seams {
-        let places = format!("{} at u = {} with {} at u = {}", a.patch, a.u, b.patch, b.u);
+        let places = format!("{} with {}", a.describe(), b.describe());
         let _ = writeln!(text, "seam {places}: gap {}, {}", rounded(*gap), angle_text(*angle_degrees));
     }
     let _ = writeln!(text, "{}", if report.passed { "passed" } else { "not passed" });

@@ -40,6 +40,9 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
     };
     let spec = Spec::read(&arguments.spec, &arguments.solving.reading)?;
     spec.without_nets("emit")?;
+    if spec.patches.is_empty() {
+        spec.without_copies("emit")?;
+    }
     let [patch] = spec.patches.as_slice() else {
         let names: Vec<&str> = spec.patches.iter().map(|patch| patch.name.as_str()).collect();
         let message = "a file holds one patch: name it with --patch";

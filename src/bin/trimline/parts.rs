@@ -1,4 +1,5 @@
-//! The parts of a document as commands see them: patches and B-spline nets, each a surface at every instant.
+//! The parts of a document as commands see them: patches, B-spline nets and copies of both, each a surface at every
+//! instant.
 
 use std::sync::Arc;
 
@@ -7,8 +8,8 @@ use trimline::diagnostic::{Code, Diagnostic, Diagnostics};
 use trimline::eval::Backend;
 use trimline::method::Options;
 use trimline::net::{NetSolver, SolvedNet};
-use trimline::problem::{DomainValues, Net};
-use trimline::surface::Surface;
+use trimline::problem::{DomainValues, Net, PatchCopy};
+use trimline::surface::{CompiledPlacement, PlacedSurface, Surface};
 
 use crate::failure::Failure;
 use crate::options::{Solving, option_finding};
@@ -19,6 +20,9 @@ pub trait Located {
     fn name(&self) -> &str;
 
     fn domain(&self) -> &DomainValues;
+
+    /// Whether data stand at fixed v as well.
+    fn is_four_sided(&self) -> bool;
 
     /// The instant the user asked for, which must lie in the time domain, or the domain's start.
     fn instant(&self, time: Option<f64>) -> Result<f64, Failure> {
@@ -44,12 +48,25 @@ impl Located for Patched {
     fn domain(&self) -> &DomainValues {
         &self.prepared.domain
     }
+
+    fn is_four_sided(&self) -> bool {
+        self.prepared.patch().is_four_sided()
+    }
 }
 
 /// A part that is ready at any instant.
+#[derive(Clone)]
 pub enum Part {
-    Patch(Box<Patched>),
-    Net(Box<NetSolver>),
+    Patch(Arc<Patched>),
+    Net(Arc<NetSolver>),
+    Copy(Arc<Copied>),
+}
+
+/// A copy, which is solved with its original.
+pub struct Copied {
+    pub copy: PatchCopy,
+    pub original: Part,
+    pub placement: Arc<CompiledPlacement>,
 }
 
 impl Located for Part {
@@ -57,6 +74,7 @@ impl Located for Part {
         match self {
             Part::Patch(patch) => patch.name(),
             Part::Net(net) => &net.net.name,
+            Part::Copy(copied) => &copied.copy.name,
         }
     }
 
@@ -64,6 +82,15 @@ impl Located for Part {
         match self {
             Part::Patch(patch) => patch.domain(),
             Part::Net(net) => &net.domain,
+            Part::Copy(copied) => copied.original.domain(),
+        }
+    }
+
+    fn is_four_sided(&self) -> bool {
+        match self {
+            Part::Patch(patch) => patch.is_four_sided(),
+            Part::Net(_) => false,
+            Part::Copy(copied) => copied.original.is_four_sided(),
         }
     }
 }
@@ -77,16 +104,46 @@ pub struct Shape {
 }
 
 impl Spec {
-    /// Everything the user asked for, compiled: patches, then nets.
+    /// Everything the user asked for, compiled: patches, then nets, then copies.
     pub fn parts(&self, solving: &Solving, points: Option<&str>) -> Result<Vec<Part>, Failure> {
         let mut parts = Vec::with_capacity(self.patches.len() + self.nets.len());
         for patch in &self.patches {
-            parts.push(Part::Patch(Box::new(self.prepare(patch, solving, points)?)));
+            parts.push(Part::Patch(Arc::new(self.prepare(patch, solving, points)?)));
         }
         for net in &self.nets {
-            parts.push(Part::Net(Box::new(self.prepare_net(net, solving, points)?)));
+            parts.push(Part::Net(Arc::new(self.prepare_net(net, solving, points)?)));
+        }
+        if self.copies.is_empty() {
+            return Ok(parts);
+        }
+        let graph = Arc::new(self.problem.graph.clone());
+        let mut originals = parts.clone();
+        for copy in &self.copies {
+            let name = self.problem.part_name(copy.original);
+            let known = originals.iter().find(|part| Some(part.name()) == name).cloned();
+            let original = match known {
+                Some(original) => original,
+                // The user asked for the copy alone.
+                None => {
+                    let original = self.original(copy, solving, points)?;
+                    originals.push(original.clone());
+                    original
+                }
+            };
+            let placement = Arc::new(CompiledPlacement::new(&graph, copy, &self.limits));
+            parts.push(Part::Copy(Arc::new(Copied { copy: copy.clone(), original, placement })));
         }
         Ok(parts)
+    }
+
+    fn original(&self, copy: &PatchCopy, solving: &Solving, points: Option<&str>) -> Result<Part, Failure> {
+        let patches = self.problem.patches.len();
+        if let Some(patch) = self.problem.patches.get(copy.original) {
+            return Ok(Part::Patch(Arc::new(self.prepare(patch, solving, points)?)));
+        }
+        let net = copy.original.checked_sub(patches).and_then(|index| self.problem.nets.get(index));
+        let net = net.ok_or_else(|| Failure::Machine("a copy without an original".to_owned()))?;
+        Ok(Part::Net(Arc::new(self.prepare_net(net, solving, points)?)))
     }
 
     /// Compiles a net, which has no settings.
@@ -116,7 +173,22 @@ impl Spec {
                 let warnings = net.filled.warnings.clone();
                 Ok(Shape { surface: net.surface.clone(), warnings, net: Some(net) })
             }
+            Part::Copy(copied) => {
+                let base = self.shape(&copied.original, time)?.surface;
+                let placed = PlacedSurface::new(base, Arc::clone(&copied.placement), self.bindings.as_slice());
+                // What is to be said is said of the original.
+                Ok(Shape { surface: Arc::new(placed), warnings: Diagnostics::new(), net: None })
+            }
         }
+    }
+
+    /// Refuses a document with copies, or a copy that is asked for, where `command` takes what is solved only.
+    pub fn without_copies(&self, command: &str) -> Result<(), Failure> {
+        let Some(copy) = self.copies.first() else { return Ok(()) };
+        let original = self.problem.part_name(copy.original).unwrap_or_default();
+        let message = format!("`{command}` takes what is solved, and `{}` is a copy of `{original}`", copy.name);
+        let finding = Diagnostic::new(Code::UnsupportedByMethod, message).at(copy.origin);
+        Err(self.fault(finding.hint(format!("choose the original: --patch {original}"))))
     }
 
     /// Refuses a document with nets, of which `command` can make nothing.

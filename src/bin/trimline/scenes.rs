@@ -94,8 +94,13 @@ impl Scenes {
             let ranges = (part.domain().u, part.domain().v);
             let (mut mesh, notes) = tessellate(part.name(), &*shape.surface, ranges, time, self.grid)
                 .map_err(|finding| self.spec.fault(finding))?;
-            mesh.fields =
-                self.fields(part, &*shape.surface, &mesh, time).map_err(|finding| self.spec.fault(finding))?;
+            mesh.fields = self.fields(part, &*shape.surface, &mesh, time)?;
+            if let Part::Copy(copied) = part {
+                let is_reflection = copied.placement.is_reflection(self.spec.bindings.as_slice(), time);
+                if is_reflection.map_err(|finding| self.spec.fault(finding))? {
+                    mesh = mesh.turned();
+                }
+            }
             scene.meshes.push(mesh);
             warnings.extend(said.news(shape.warnings));
             warnings.extend(said.news(notes));
@@ -180,17 +185,30 @@ impl Scenes {
         Err(option_finding("frames", &frames.to_string(), finding))
     }
 
-    fn fields(&self, part: &Part, surface: &dyn Surface, mesh: &Mesh, time: f64) -> Result<Vec<Field>, Diagnostic> {
-        let Part::Patch(patch) = part else { return self.fields_of_given(surface, mesh, time) };
+    fn fields(&self, part: &Part, surface: &dyn Surface, mesh: &Mesh, time: f64) -> Result<Vec<Field>, Failure> {
+        let given = || self.fields_of_given(surface, mesh, time).map_err(|finding| self.spec.fault(finding));
+        let (patch, solved) = match part {
+            Part::Patch(patch) => (patch, None),
+            // A copy has the residual of its original, point by point.
+            Part::Copy(copied) => match &copied.original {
+                Part::Patch(patch) => (patch, Some(self.spec.shape(&copied.original, time)?.surface)),
+                _ => return given(),
+            },
+            Part::Net(_) => return given(),
+        };
         let mut fields = Vec::new();
         for quantity in &self.quantities {
             match quantity {
-                Quantity::Curvature => fields.extend(curvatures(surface, mesh, time)?),
+                Quantity::Curvature => {
+                    fields.extend(curvatures(surface, mesh, time).map_err(|finding| self.spec.fault(finding))?);
+                }
                 Quantity::Residual => {
                     let (u, v) = mesh.axes();
                     let (problem, bindings) = (&self.spec.problem, &self.spec.bindings);
                     let points = (u.as_slice(), v.as_slice(), time);
-                    let values = residuals(problem, patch.prepared.patch(), surface, bindings, points)?;
+                    let of = solved.as_deref().map_or(surface, |solved| solved as &dyn Surface);
+                    let values = residuals(problem, patch.prepared.patch(), of, bindings, points);
+                    let values = values.map_err(|finding| self.spec.fault(finding))?;
                     fields.push(Field { name: "residual", values });
                 }
             }

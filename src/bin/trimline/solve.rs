@@ -107,7 +107,7 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
     let mut nets = Vec::new();
     for net in &spec.nets {
         let solver = spec.prepare_net(net, &arguments.solving, points)?;
-        let part = Part::Net(Box::new(solver));
+        let part = Part::Net(std::sync::Arc::new(solver));
         let time = part.instant(arguments.solving.time)?;
         let solution = nets::solution(&spec, &part, time, terminal)?;
         if arguments.format == Format::Text {

@@ -2,15 +2,17 @@
 
 use std::io::Read;
 use std::path::Path;
+use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
 use trimline::blend::Prepared;
 use trimline::decompose::{Decomposition, decompose};
 use trimline::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span};
 use trimline::eval::Backend;
+use trimline::expr::Derivative;
 use trimline::limits::Limits;
 use trimline::method::{Options, Settings, Solution};
-use trimline::problem::{Bindings, Net, Patch, PrimarySurface, Problem};
+use trimline::problem::{Bindings, Net, Patch, PatchCopy, PrimarySurface, Problem};
 use trimline::resolve::{resolve, review, set_parameter};
 use trimline::syntax;
 use trimline::verify::Verification;
@@ -31,6 +33,8 @@ pub struct Spec {
     pub patches: Vec<Patch>,
     /// The nets the user asked for.
     pub nets: Vec<Net>,
+    /// The copies the user asked for.
+    pub copies: Vec<PatchCopy>,
     /// What is worth a second look in the text.
     pub warnings: Diagnostics,
     /// Seconds from bytes to problem.
@@ -40,11 +44,19 @@ pub struct Spec {
 /// A patch that is ready to be solved at any instant, with its times.
 pub struct Patched {
     pub prepared: Prepared,
+    /// Whether nothing that is stated of it changes with time.
+    is_still: bool,
+    /// What was solved last: seams, copies and measurements ask for the same instants.
+    memory: Mutex<Vec<(Vec<f64>, Solved)>>,
     pub decompose_seconds: f64,
     pub compile_seconds: f64,
 }
 
+/// Instants that are remembered: as many as `check` looks at, and a few.
+const REMEMBERED: usize = 12;
+
 /// A patch solved at one instant.
+#[derive(Clone)]
 pub struct Solved {
     pub solution: Solution,
     pub measured: Verification,
@@ -61,7 +73,7 @@ impl Spec {
         Ok(Spec { parse_seconds: start.elapsed().as_secs_f64(), ..spec })
     }
 
-    /// As [`Spec::read`], with all patches and nets whichever the user asked for.
+    /// As [`Spec::read`], with all patches, nets and copies whichever the user asked for.
     pub fn read_whole(path: &str, reading: &Reading) -> Result<Spec, Failure> {
         Spec::whole(read_source(path, &reading.limits()?)?, reading)
     }
@@ -69,8 +81,8 @@ impl Spec {
     /// Reads a text; its data files lie beside the path that is its name.
     pub fn of(source: Source, reading: &Reading) -> Result<Spec, Failure> {
         let spec = Spec::whole(source, reading)?;
-        let (patches, nets) = select(&spec.problem, reading.patch.as_deref())?;
-        Ok(Spec { patches, nets, ..spec })
+        let (patches, nets, copies) = select(&spec.problem, reading.patch.as_deref())?;
+        Ok(Spec { patches, nets, copies, ..spec })
     }
 
     fn whole(source: Source, reading: &Reading) -> Result<Spec, Failure> {
@@ -84,9 +96,9 @@ impl Spec {
         let problem = resolve(&document, &stem, &limits).map_err(|findings| Failure::found(&source, findings))?;
         let warnings = review(&document, &problem);
         let (problem, bindings) = with_values(problem, &source, &reading.set, &limits)?;
-        let (patches, nets) = (problem.patches.clone(), problem.nets.clone());
+        let (patches, nets, copies) = (problem.patches.clone(), problem.nets.clone(), problem.copies.clone());
         let parse_seconds = start.elapsed().as_secs_f64();
-        Ok(Spec { source, limits, problem, bindings, patches, nets, warnings, parse_seconds })
+        Ok(Spec { source, limits, problem, bindings, patches, nets, copies, warnings, parse_seconds })
     }
 
     /// This spec with other values of params or coefficients, each `NAME=EXPR`.
@@ -145,15 +157,48 @@ impl Spec {
             None => about_settings(finding),
             Some(_) => self.fault(finding),
         })?;
-        Ok(Patched { prepared, decompose_seconds, compile_seconds: start.elapsed().as_secs_f64() })
+        let compile_seconds = start.elapsed().as_secs_f64();
+        let (is_still, memory) = (!patch.moves(&self.problem.graph), Mutex::default());
+        Ok(Patched { prepared, is_still, memory, decompose_seconds, compile_seconds })
     }
 
     /// Solves a patch at `time` and measures the solution.
     pub fn solve(&self, patched: &Patched, time: f64) -> Result<Solved, Failure> {
+        if let Some(known) = patched.remembered(self.bindings.as_slice(), time) {
+            return Ok(known);
+        }
         let start = Instant::now();
         let solved = patched.prepared.solve_judged(&self.problem, &self.bindings, time);
         let (solution, measured) = solved.map_err(|finding| self.fault(finding))?;
-        Ok(Solved { solution, measured, time, solve_seconds: start.elapsed().as_secs_f64() })
+        let solved = Solved { solution, measured, time, solve_seconds: start.elapsed().as_secs_f64() };
+        patched.remember(self.bindings.as_slice(), &solved);
+        Ok(solved)
+    }
+}
+
+impl Patched {
+    /// What was solved with these params at this instant; of a patch that does not move, at any.
+    fn remembered(&self, params: &[f64], time: f64) -> Option<Solved> {
+        let memory = self.memory.lock().unwrap_or_else(PoisonError::into_inner);
+        let here = |(known, solved): &&(Vec<f64>, Solved)| {
+            known == params && (solved.time == time || (self.is_still && self.holds_at(solved, time)))
+        };
+        memory.iter().find(here).map(|(_, solved)| Solved { time, ..solved.clone() })
+    }
+
+    /// Whether the surface is known at another instant than its own: a fitted one may not be.
+    fn holds_at(&self, solved: &Solved, time: f64) -> bool {
+        let domain = &self.prepared.domain;
+        let point = [0.5 * (domain.u[0] + domain.u[1]), 0.5 * (domain.v[0] + domain.v[1]), time];
+        solved.solution.surface.evaluate(Derivative::NONE, &[point], &mut [[0.0; 3]]).is_ok()
+    }
+
+    fn remember(&self, params: &[f64], solved: &Solved) {
+        let mut memory = self.memory.lock().unwrap_or_else(PoisonError::into_inner);
+        if memory.len() >= REMEMBERED {
+            memory.remove(0);
+        }
+        memory.push((params.to_vec(), solved.clone()));
     }
 }
 
@@ -227,15 +272,21 @@ fn overridden(source: &Source, changes: &[String], finding: Diagnostic) -> Failu
     }
 }
 
-/// The patches and the nets, or the one that is called `name`.
-pub fn select(problem: &Problem, name: Option<&str>) -> Result<(Vec<Patch>, Vec<Net>), Failure> {
-    let Some(name) = name else { return Ok((problem.patches.clone(), problem.nets.clone())) };
-    let patches: Vec<Patch> = problem.patches.iter().filter(|patch| patch.name == name).cloned().collect();
+/// What a document consists of.
+type Chosen = (Vec<Patch>, Vec<Net>, Vec<PatchCopy>);
+
+/// The patches, nets and copies, or those that are called `name`: the patches of a loop have its name, a dot and a number.
+pub fn select(problem: &Problem, name: Option<&str>) -> Result<Chosen, Failure> {
+    let Some(name) = name else {
+        return Ok((problem.patches.clone(), problem.nets.clone(), problem.copies.clone()));
+    };
+    let is_meant = |full: &str| full == name || full.split('.').next() == Some(name);
+    let patches: Vec<Patch> = problem.patches.iter().filter(|patch| is_meant(&patch.name)).cloned().collect();
     let nets: Vec<Net> = problem.nets.iter().filter(|net| net.name == name).cloned().collect();
-    if patches.is_empty() && nets.is_empty() {
-        let known = problem.patches.iter().map(|patch| patch.name.as_str());
-        let known: Vec<&str> = known.chain(problem.nets.iter().map(|net| net.name.as_str())).collect();
+    let copies: Vec<PatchCopy> = problem.copies.iter().filter(|copy| is_meant(&copy.name)).cloned().collect();
+    if patches.is_empty() && nets.is_empty() && copies.is_empty() {
+        let known: Vec<&str> = (0..).map_while(|index| problem.part_name(index)).collect();
         return Err(Failure::Usage(format!("there is no patch `{name}`; patches: {}", known.join(", "))));
     }
-    Ok((patches, nets))
+    Ok((patches, nets, copies))
 }

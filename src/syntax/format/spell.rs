@@ -10,7 +10,7 @@ use crate::syntax::RESERVED_WORDS;
 /// Statements whose words are names of the document.
 const OF_NAMES: &[&str] = &[
     "param", "let", "domain", "pde", "at", "surface", "patch", "join", "seam", "deform", "curve", "morph", "bspline",
-    "knots", "net", "layer",
+    "knots", "net", "layer", "edge", "nsided", "mirror", "repeat",
 ];
 
 /// Spells the tokens of `lines` in `alphabet`.

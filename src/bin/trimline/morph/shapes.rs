@@ -72,9 +72,9 @@ impl Pair {
             return Err(Failure::Usage(message.to_owned()));
         };
         let [source, target] = ends.map(|problem| {
-            // Nets of the document are no part of the morph.
-            let (patches, nets) = (select(&problem, only)?.0, Vec::new());
-            Ok::<Spec, Failure>(Spec { problem, patches, nets, warnings: Diagnostics::new(), ..spec.clone() })
+            // Nets and copies of the document are no part of the morph.
+            let (patches, nets, copies) = (select(&problem, only)?.0, Vec::new(), Vec::new());
+            Ok::<Spec, Failure>(Spec { problem, patches, nets, copies, warnings: Diagnostics::new(), ..spec.clone() })
         });
         let mut source = source?;
         source.warnings.clone_from(&spec.warnings);
@@ -231,6 +231,7 @@ impl<'a> Shapes<'a> {
 impl End {
     fn solve(mut spec: Spec, kind: Kind, solving: &Solving) -> Result<End, Failure> {
         spec.without_nets("morph")?;
+        spec.without_copies("morph")?;
         if solving.method.is_some() {
             spec.patches.iter_mut().for_each(|patch| patch.solve = SolveRequest::default());
         }

@@ -46,9 +46,10 @@ pub fn of(live: &Live, question: &Question) -> Result<Gaps, Failure> {
             patches.push(Edges { boundary: boundary(answerable, patch)?, seams: closing(answerable, patch)? });
         }
         for seam in super::answer::seams(answerable)? {
-            for ((patch, at), values) in seam.along {
-                if let Some(edges) = patches.get_mut(patch) {
-                    edges.seams.push(Along { across: Variable::U.name(), at, values });
+            // Half a side of a neighbour is coloured on the patch whose whole side it is.
+            for (place, values) in seam.along.into_iter().filter(|(place, _)| place.is_whole()) {
+                if let Some(edges) = patches.get_mut(place.patch) {
+                    edges.seams.push(Along { across: place.across.name(), at: place.position, values });
                 }
             }
         }
