@@ -7,11 +7,11 @@ import { join } from "node:path";
 import { chromium } from "playwright-core";
 
 const { TRIMLINE, EXAMPLES, CHROMIUM } = process.env;
-// Those of B-spline nets are left out: the page shows patches.
+// Those of B-spline nets and of copies are left out: the page shows patches.
 export const examples = readdirSync(EXAMPLES)
   .filter((name) => name.endsWith(".trim"))
   .map((name) => join(EXAMPLES, name))
-  .filter((path) => !readFileSync(path, "utf8").includes("bspline "));
+  .filter((path) => !/^(bspline|mirror|repeat) /m.test(readFileSync(path, "utf8")));
 export const example = (name) => join(EXAMPLES, `${name}.trim`);
 
 // Runs the command and gives its standard output.

@@ -11,7 +11,7 @@ use trimline::method::Options;
 use trimline::verify::{Edge, Line};
 
 use crate::cli::{Folder, done, status, text, trimline};
-use crate::spec::{problem_within, told};
+use crate::spec::{all_examples, example, is_model, problem_within, told};
 
 const UNIT: [f64; 2] = [0.0, 1.0];
 
@@ -262,4 +262,63 @@ fn loop_is_copied_as_a_whole() {
     let report: Value = serde_json::from_str(&output).expect("JSON");
     assert_eq!(report["copies"][2], serde_json::json!({"name": "hole2.3", "original": "hole.3"}), "{output}");
     assert_eq!(report["seams"].as_array().map(Vec::len), Some(6), "{output}");
+}
+
+/// The path of an example.
+fn path(name: &str) -> String {
+    format!("{}/examples/{name}.trim", env!("CARGO_MANIFEST_DIR"))
+}
+
+#[test]
+fn examples_of_models_are_closed_and_smooth_at_every_instant() {
+    let models: Vec<_> = all_examples().into_iter().filter(|(_, text)| is_model(text)).collect();
+    assert!(models.len() >= 3);
+    for (name, _) in models {
+        let output = done(&trimline(&["check", &path(&name), "--max-gap", "1e-9", "--max-angle", "0.01"]));
+        assert!(output.ends_with("passed\n"), "{name}\n{output}");
+    }
+}
+
+#[test]
+fn aircraft_has_its_parts_and_can_be_shaped() {
+    let text = example("aircraft");
+    assert!(text.lines().count() < 300);
+    let problem = problem_within(&text, &Options::default().limits).expect("an example");
+    let names: Vec<&str> = (0..).map_while(|index| problem.part_name(index)).collect();
+    let count = |stem: &str| names.iter().filter(|name| name.starts_with(stem)).count();
+    // Four engines of four patches, each on a pylon.
+    assert_eq!((count("hull_"), count("wing_"), count("tail_"), count("fin_")), (4, 6, 6, 3), "{names:?}");
+    assert_eq!((count("pod_"), count("pylon")), (16, 4), "{names:?}");
+    let shaped = ["--set", "span=21", "--set", "sweep=11", "--set", "dihedral=-0.5", "--set", "cabin=21"];
+    let limits = ["--max-gap", "1e-9", "--max-angle", "0.01", "--time", "0.5"];
+    done(&trimline(&[&["check", &path("aircraft")], &shaped[..], &limits[..]].concat()));
+}
+
+#[test]
+fn wings_of_the_aircraft_flex_and_their_roots_stay_on_the_fuselage() {
+    let folder = Folder::new();
+    let points = folder.path("points.csv");
+    let places = "wing_tip,1,0,0\nwing_tip,1,0,0.5\nwing_joint,0,1,0\nwing_joint,0,1,0.5\n";
+    std::fs::write(&points, format!("patch,u,v,t\n{places}")).expect("a folder to write to");
+    let table = done(&trimline(&["eval", &path("aircraft"), "--points", &points.to_string_lossy()]));
+    let rows: Vec<Vec<f64>> = table
+        .lines()
+        .skip(1)
+        .map(|line| line.split(',').skip(4).map(|cell| cell.parse().expect("a number")).collect())
+        .collect();
+    // All of `flex` = 1.2 at the tip, when sin(π t) is 1; the fuselage, of radius 2, stands still.
+    assert!((rows[1][2] - rows[0][2] - 1.2).abs() < 1e-12, "{table}");
+    assert_eq!(rows[2], rows[3], "{table}");
+    assert!((rows[2][1].hypot(rows[2][2]) - 2.0).abs() < 1e-14, "{table}");
+}
+
+#[test]
+fn aircraft_is_written_for_cad_and_as_an_animation() {
+    let folder = Folder::new();
+    let [step, glb] = ["aircraft.step", "aircraft.glb"].map(|name| folder.path(name).to_string_lossy().into_owned());
+    done(&trimline(&["fit", &path("aircraft"), "--time", "0.5", "-o", &step]));
+    let written = std::fs::read_to_string(&step).expect("a file");
+    assert_eq!(written.matches("=B_SPLINE_SURFACE_WITH_KNOTS(").count(), 39);
+    done(&trimline(&["mesh", &path("aircraft"), "--grid", "4x12", "--frames", "3", "-o", &glb]));
+    assert!(std::fs::read(&glb).expect("a file").starts_with(b"glTF"));
 }

@@ -126,13 +126,17 @@ pub fn separable(solution: &Solution) -> &SeparableSurface {
     solution.surface.as_separable().expect("a sum of products")
 }
 
-/// Every example of the project: name and text, by name.
-/// The examples that have patches.
+/// The examples of a few patches each. Models of dozens of patches take their methods from these, and are tested whole.
 pub fn examples() -> Vec<(String, String)> {
-    all_examples().into_iter().filter(|(_, text)| !text.contains("bspline ")).collect()
+    all_examples().into_iter().filter(|(_, text)| !text.contains("bspline ") && !is_model(text)).collect()
 }
 
-/// Every example, those of B-spline nets among them.
+/// Whether an example is a model of many patches with copies.
+pub fn is_model(text: &str) -> bool {
+    text.lines().any(|line| line.starts_with("mirror ") || line.starts_with("repeat "))
+}
+
+/// Every example of the project: name and text, by name.
 pub fn all_examples() -> Vec<(String, String)> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/examples");
     let files = std::fs::read_dir(folder).expect("the examples are part of the package");

@@ -59,7 +59,7 @@ export function showReport({ patches, seams, time: measured }) {
       : ["amplification", number(report.amplification)],
     ["solved in", `${report.milliseconds.toFixed(1)} ms`],
   ]);
-  const place = ({ patch, u }) => `${patch} at u = ${number(u)}`;
+  const place = ({ patch, u, v }) => `${patch} at ${u === undefined ? `v = ${number(v)}` : `u = ${number(u)}`}`;
   const met = [
     ...patches.flatMap(({ name, joins }) => joins.map((join) => [`${place({ patch: name, u: join.u })} joins ${join.surface}`, contact(join)])),
     ...seams.map((seam) => [`${place(seam.between[0])} meets ${place(seam.between[1])}`, contact(seam)]),
