@@ -41,6 +41,7 @@ mod kernels;
 mod language;
 mod latex;
 mod meshes;
+#[cfg(feature = "cli")]
 mod models;
 mod morphs;
 mod multisided;
