@@ -18,7 +18,8 @@ def output(*arguments: str) -> str:
 
 blocks = []
 for spec in specs:
-    blocks.append(output("basis", spec, "--format", "latex"))
+    # One display per patch, with a blank line between two.
+    blocks.extend(output("basis", spec, "--format", "latex").split("\n\n"))
     for patch in json.loads(output("check", spec, "--explain", "--format", "json"))["patches"]:
         blocks.extend(patch["explanation"]["latex"].values())
 blocks = [block.strip() for block in blocks if block.strip()]
