@@ -11,7 +11,7 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source};
 use crate::expr::canonical_name;
 use crate::method::{self, Choice, Numbers, Options, Report, Settings, Solution, Solver};
 use crate::net::{METHOD, NetSolver, SolvedNet};
-use crate::problem::{Bindings, DomainValues, Net, Patch, Problem};
+use crate::problem::{Bindings, DomainValues, Net, Patch, Problem, check_reach};
 use crate::resolve::{resolve, set_parameter};
 use crate::surface::{Bump, DeformedSurface};
 use crate::syntax;
@@ -190,6 +190,16 @@ impl Blend {
     }
 }
 
+/// The ranges of a patch, over which its boundary data have values.
+fn domain_for(problem: &Problem, patch: &Patch, bindings: &Bindings) -> Result<DomainValues, Diagnostic> {
+    let domain = patch.domain.evaluate(problem, bindings)?;
+    // Splines come from data files alone.
+    if !problem.data.is_empty() {
+        check_reach(&problem.graph, patch, bindings, &domain)?;
+    }
+    Ok(domain)
+}
+
 /// Compiles a net; its one method is [`net::METHOD`](crate::net::METHOD).
 ///
 /// # Errors
@@ -224,7 +234,7 @@ impl Prepared {
         decomposition: Decomposition,
         options: &Options,
     ) -> Result<Prepared, Diagnostic> {
-        let domain = decomposition.patch.domain.evaluate(problem, bindings)?;
+        let domain = domain_for(problem, &decomposition.patch, bindings)?;
         let decomposition = decomposition.specialise(bindings.as_slice());
         let mut stated = Settings::read(&decomposition.patch.solve.settings)?;
         // The document's settings are those of its own method.
@@ -267,7 +277,7 @@ impl Prepared {
     /// What new values of the parameters change.
     fn update(&self, problem: &Problem, bindings: &Bindings) -> Result<Update, Diagnostic> {
         let options = &self.options;
-        let domain = self.patch().domain.evaluate(problem, bindings)?;
+        let domain = domain_for(problem, self.patch(), bindings)?;
         let is_same_equation = self.decomposition.is_specialised_to(bindings.as_slice());
         // The first choice of `auto` does not depend on numbers otherwise.
         let may_change = self.choice.is_automatic && !self.choice.notes.is_empty();

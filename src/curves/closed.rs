@@ -99,7 +99,7 @@ fn interpolate(name: &str, parameters: &[f64], points: &[[f64; 3]]) -> Option<[S
             let point = (index + (DEGREE / count + 1) * count - DEGREE / 2) % count;
             controls.get(point).and_then(|control| control.get(axis)).copied().unwrap_or(f64::NAN)
         });
-        let knots = Knots { degree: DEGREE, knots: knots.clone(), is_periodic: true };
+        let knots = Knots { degree: DEGREE, knots: knots.clone(), seam: Some(DEGREE - 1) };
         let spline = Spline::new(&format!("{name}_{suffix}"), &[("v", knots)], &around.collect::<Vec<f64>>());
         spline.map(|spline| SplineCall::new(Arc::new(spline)))
     };

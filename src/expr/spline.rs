@@ -27,8 +27,9 @@ pub struct Knots {
     /// Ascending; `degree + 1` more than there are control values. The argument runs from knot `degree` to the one as
     /// far from the end.
     pub knots: Vec<f64>,
-    /// Whether the spline repeats itself beyond that range. Its control values and knots must then go around.
-    pub is_periodic: bool,
+    /// Of a spline that repeats itself beyond that range: the highest derivative that agrees at the range's two ends.
+    /// The value does; control values must see to it.
+    pub seam: Option<usize>,
 }
 
 /// One argument of a [`Spline`].
@@ -85,12 +86,16 @@ impl Knots {
 
     /// The highest derivative that is continuous where pieces meet; `None` if none meet.
     fn smoothness(&self, breaks: &[f64]) -> Option<Option<usize>> {
-        let inside = breaks.get(usize::from(!self.is_periodic)..breaks.len().saturating_sub(1)).unwrap_or_default();
+        let inside = breaks.get(1..breaks.len().saturating_sub(1)).unwrap_or_default();
         let repeated = |knot: &f64| self.knots.iter().filter(|other| *other == knot).count();
-        match inside.iter().map(repeated).max() {
-            None => Some(None),
-            Some(most) => self.degree.checked_sub(most).map(Some),
-        }
+        let inner = match inside.iter().map(repeated).max() {
+            None => None,
+            Some(most) => Some(self.degree.checked_sub(most)?),
+        };
+        Some(match (inner, self.seam) {
+            (Some(inner), Some(seam)) => Some(inner.min(seam)),
+            (inner, seam) => inner.or(seam),
+        })
     }
 }
 
@@ -262,7 +267,7 @@ impl Axis {
     fn new(name: &str, knots: &Knots) -> Option<(Axis, Vec<usize>)> {
         let (breaks, spans) = knots.pieces()?;
         let smoothness = knots.smoothness(&breaks)?;
-        let (degree, is_periodic) = (knots.degree, knots.is_periodic);
+        let (degree, is_periodic) = (knots.degree, knots.seam.is_some());
         Some((Axis { name: name.to_owned(), degree, breaks, is_periodic, smoothness }, spans))
     }
 
@@ -374,7 +379,7 @@ mod tests {
     use super::*;
 
     fn knots(degree: usize, knots: &[f64]) -> Knots {
-        Knots { degree, knots: knots.to_vec(), is_periodic: false }
+        Knots { degree, knots: knots.to_vec(), seam: None }
     }
 
     #[test]

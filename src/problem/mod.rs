@@ -12,6 +12,7 @@ mod net;
 mod operator;
 mod parameters;
 mod placement;
+mod reach;
 mod surface;
 
 pub use deformation::{Deformation, check_region};
@@ -22,6 +23,7 @@ pub use net::{KnotKind, Layer, Net, NetKnots, NetPoints, Sampling};
 pub use operator::{PdeOperator, PdeTerm, STANDARD_COEFFICIENTS};
 pub use parameters::{Bindings, Parameter, ParameterKind};
 pub use placement::{PatchCopy, Placement};
+pub use reach::check_reach;
 pub use surface::{Join, PrimarySurface, Seam, SeamEdge};
 
 use crate::diagnostic::Span;

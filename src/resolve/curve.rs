@@ -3,6 +3,7 @@
 //! A curve is used as a surface is: `C(v)`, `C_x(v)`, `∂C(v)/∂v`. Its body stands in the first coordinate.
 
 use std::rc::Rc;
+use std::sync::Arc;
 
 use super::reading::Reading;
 use super::scope::{Meaning, Scope};
@@ -42,15 +43,18 @@ pub fn rows(
     allowed: usize,
     too_many: impl FnOnce() -> Diagnostic,
 ) -> Result<Vec<(usize, [f64; 3])>, Diagnostic> {
-    let Some(contents) = file.and_then(|file| file.contents.as_ref()) else {
-        let message = format!("the data file `{path}` was not given");
-        return Err(Diagnostic::new(Code::DataFileMissing, message)
-            .hint("the library reads no files: attach its bytes to the document before it is resolved"));
-    };
-    read_points(contents, allowed).map_err(|fault| match fault {
+    read_points(contents(path, file)?, allowed).map_err(|fault| match fault {
         TableFault::TooMany { .. } => too_many(),
         _ => bad(path, &fault.to_string())
             .hint("a row holds x, y and z, separated by commas; a first row of names says in which order"),
+    })
+}
+
+/// The bytes of a file.
+pub fn contents<'a>(path: &str, file: Option<&'a DataFile>) -> Result<&'a Arc<[u8]>, Diagnostic> {
+    file.and_then(|file| file.contents.as_ref()).ok_or_else(|| {
+        Diagnostic::new(Code::DataFileMissing, format!("the data file `{path}` was not given"))
+            .hint("the library reads no files: attach its bytes to the document before it is resolved")
     })
 }
 

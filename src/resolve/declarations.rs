@@ -1,6 +1,7 @@
 //! Params and definitions to their meanings.
 
 use super::curve;
+use super::imported;
 use super::reading::Reading;
 use super::scope::{Meaning, Scope, Value};
 use super::surface;
@@ -63,6 +64,10 @@ pub fn definitions(definitions: &[ast::Definition], scope: &mut Scope<'_>, readi
             }
             DefinitionKind::Curve => {
                 curve::declare(definition, scope, reading);
+                continue;
+            }
+            DefinitionKind::Imported(face) => {
+                imported::declare(definition, *face, scope, reading);
                 continue;
             }
             DefinitionKind::Let => {}

@@ -98,6 +98,11 @@ impl Lowering<'_> {
                     .at(span)
                     .hint("quotes name data files: `curve C = points(\"ring.csv\")`, then `C(v)`"))
             }
+            Kind::Face(_) => {
+                Err(Diagnostic::new(Code::UnexpectedText, "a number of a face stands where a value is expected")
+                    .at(span)
+                    .hint("it belongs to a file of B-splines: `surface A = bspline(\"part.step\", face = 2)`"))
+            }
             Kind::Operator(orders) => {
                 self.check_order(*orders, span)?;
                 let (zero, one) = (self.graph.integer(0), self.graph.integer(1));

@@ -11,6 +11,7 @@ mod deformation;
 mod edges;
 mod equation;
 mod form;
+mod imported;
 mod join;
 mod loops;
 mod lower;

@@ -65,7 +65,7 @@ fn unused(document: &Document) -> Diagnostics {
     let definitions = definitions.filter_map(|definition| {
         let what = match definition.kind {
             DefinitionKind::Let => "definition",
-            DefinitionKind::Surface(_) => "surface",
+            DefinitionKind::Surface(_) | DefinitionKind::Imported(_) => "surface",
             DefinitionKind::Curve => "curve",
         };
         unused(what, &definition.name)

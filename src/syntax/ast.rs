@@ -4,6 +4,7 @@ use crate::diagnostic::Span;
 use crate::expr::{Derivative, Function, Number};
 
 pub use super::files::DataFile;
+pub use super::net::{KnotChoice, Knots, Layer, NetBlock, NetSource, NetStatement};
 
 /// A whole spec file.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -95,83 +96,6 @@ pub struct PatchBlock {
     pub statements: Statements,
 }
 
-/// `bspline NAME { … }`
-#[derive(Debug, Clone, PartialEq)]
-pub struct NetBlock {
-    /// What the user calls the surface.
-    pub name: Name,
-    /// Definitions (`let`), in source order.
-    pub definitions: Vec<Definition>,
-    /// `domain` entries.
-    pub ranges: Vec<Range>,
-    /// `knots` entries.
-    pub knots: Vec<Knots>,
-    /// `net` statements; more than one is an error of the next stage.
-    pub nets: Vec<NetStatement>,
-    /// Boundary layers, in source order.
-    pub layers: Vec<Layer>,
-}
-
-/// `clamped in u, v` or `[…] in u`
-#[derive(Debug, Clone, PartialEq)]
-pub struct Knots {
-    /// Which knots.
-    pub choice: KnotChoice,
-    /// The directions that have them.
-    pub directions: Vec<Name>,
-    /// Where the choice is written.
-    pub span: Span,
-}
-
-/// Knots by name or one by one.
-#[derive(Debug, Clone, PartialEq)]
-pub enum KnotChoice {
-    /// `uniform` or `clamped`.
-    Named(Name),
-    /// Every knot.
-    Listed(Vec<Expression>),
-}
-
-/// `net n x m from …`
-#[derive(Debug, Clone, PartialEq)]
-pub struct NetStatement {
-    /// The numbers of the last control points in u and in v, as written.
-    pub last: [String; 2],
-    /// Where they are written.
-    pub size: Span,
-    /// Where the layers come from, unless they are stated one by one.
-    pub source: Option<NetSource>,
-    /// The whole statement.
-    pub span: Span,
-}
-
-/// Where all layers of a net come from.
-#[derive(Debug, Clone, PartialEq)]
-pub enum NetSource {
-    /// `surface X sampled greville`
-    Surface {
-        /// The surface.
-        surface: Name,
-        /// `uniform` or `greville`.
-        sampling: Name,
-    },
-    /// `points("net.csv")`, the text.
-    Table(Expression),
-    /// The control point as a function of its numbers or of its parameters.
-    Formula(Expression),
-}
-
-/// `layer i = 0: [x, y, z]`
-#[derive(Debug, Clone, PartialEq)]
-pub struct Layer {
-    /// `i` or `j`.
-    pub index: Name,
-    /// Its value, a number or a name.
-    pub position: Name,
-    /// The control points of the layer.
-    pub value: Expression,
-}
-
 /// A name where it is declared or used, in its canonical spelling.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Name {
@@ -214,6 +138,9 @@ pub enum DefinitionKind {
     Surface(Vec<Range>),
     /// A closed curve through the points of a data file, which the value names: `curve C = points("ring.csv")`.
     Curve,
+    /// A primary surface from a file of B-splines, which the value names, with the number of the one that is meant where
+    /// it is stated: `surface S1 = bspline("part.step", face = 2)`.
+    Imported(Option<usize>),
 }
 
 /// `domain v in [lo, hi]`
@@ -422,6 +349,8 @@ pub enum Kind {
     Vector(Vec<Expression>),
     /// A text in quotes: the name of a data file.
     Text(String),
+    /// Which part of a data file is meant: `face = 2`, from 1.
+    Face(usize),
 }
 
 /// `∂²S1(u1, v, t)/∂u∂v`
@@ -438,7 +367,9 @@ pub struct Partial {
 impl Kind {
     fn operands(&self) -> Vec<Expression> {
         match self {
-            Kind::Number(_) | Kind::Name(_) | Kind::Unknown(_) | Kind::Operator(_) | Kind::Text(_) => Vec::new(),
+            Kind::Number(_) | Kind::Name(_) | Kind::Unknown(_) | Kind::Operator(_) | Kind::Text(_) | Kind::Face(_) => {
+                Vec::new()
+            }
             Kind::Application(_, operands)
             | Kind::Call(_, operands)
             | Kind::SquareRoot(operands)

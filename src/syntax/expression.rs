@@ -49,8 +49,17 @@ impl Builder<'_> {
 
     /// Builds a `values` pair.
     pub fn values(&mut self, pair: Parsed<'_>) -> Result<Vec<Expression>, Diagnostic> {
-        let parts = pair.into_inner().filter(|part| part.as_rule() == Rule::expression);
-        parts.map(|part| self.expression(part)).collect()
+        let parts = pair.into_inner().filter(|part| part.as_rule() != Rule::EOI);
+        let value = |part: Parsed<'_>| match part.as_rule() {
+            Rule::face => {
+                let span = self.span(&part);
+                let digits = part.into_inner().next().map_or("", |number| number.as_str());
+                // What does not fit is beyond every file.
+                Ok(self.tree.add(Kind::Face(digits.parse().unwrap_or(usize::MAX)), span))
+            }
+            _ => self.expression(part),
+        };
+        parts.map(value).collect()
     }
 
     /// Builds an `expression` pair.

@@ -2,7 +2,10 @@
 
 use std::sync::Arc;
 
-use super::ast::{Document, Kind, NetSource};
+use super::ast::{Definition, DefinitionKind, Document, Expression, Kind, NetSource};
+use super::expression::Builder;
+use super::parser::{Parsed, Rule};
+use super::statement::internal;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 use crate::limits::Limits;
 
@@ -72,8 +75,52 @@ impl Document {
     }
 }
 
+impl Builder<'_> {
+    /// `NAME = points("ring.csv")`
+    pub(super) fn curve(&mut self, part: Parsed<'_>) -> Result<Definition, Diagnostic> {
+        let mut inner = part.into_inner();
+        let name = self.take_name(&mut inner)?;
+        let value = self.file(&mut inner)?;
+        Ok(Definition { kind: DefinitionKind::Curve, name, formals: Vec::new(), value })
+    }
+
+    /// `NAME = bspline("part.step", face = 2)`
+    pub(super) fn imported(&mut self, part: Parsed<'_>) -> Result<Definition, Diagnostic> {
+        let mut inner = part.into_inner();
+        let name = self.take_name(&mut inner)?;
+        let arguments = inner.find(|part| part.as_rule() == Rule::arguments).ok_or_else(internal)?;
+        let values = self.bracket(&arguments)?;
+        let kinds: Vec<&Kind> = values.iter().map(|value| &self.tree.node(*value).kind).collect();
+        let (value, path, face) = match (values.as_slice(), kinds.as_slice()) {
+            ([file], [Kind::Text(path)]) => (*file, path, None),
+            ([file, _], [Kind::Text(path), Kind::Face(face)]) => (*file, path, Some(*face)),
+            _ => {
+                let message = "a file of B-splines is named by a text in quotes, and one of its faces by a number";
+                let finding = Diagnostic::new(Code::UnexpectedText, message).at(self.span(&arguments));
+                return Err(finding.hint("as in `bspline(\"part.step\", face = 2)`"));
+            }
+        };
+        check_path(path, self.tree.span(value))?;
+        Ok(Definition { kind: DefinitionKind::Imported(face), name, formals: Vec::new(), value })
+    }
+
+    /// The name of a data file, the one text in a bracket.
+    pub(super) fn file<'a>(&mut self, parts: &mut impl Iterator<Item = Parsed<'a>>) -> Result<Expression, Diagnostic> {
+        let arguments = parts.find(|part| part.as_rule() == Rule::arguments).ok_or_else(internal)?;
+        match self.bracket(&arguments)?.as_slice() {
+            [only] if let Kind::Text(path) = &self.tree.node(*only).kind => {
+                check_path(path, self.tree.span(*only))?;
+                Ok(*only)
+            }
+            _ => Err(Diagnostic::new(Code::UnexpectedText, "a data file is named by one text in quotes")
+                .at(self.span(&arguments))
+                .hint("as in `points(\"ring.csv\")`")),
+        }
+    }
+}
+
 /// Refuses the name of a file that does not lie beside the spec or below it, or that not every system can spell.
-pub(super) fn check_path(path: &str, span: Span) -> Result<(), Diagnostic> {
+fn check_path(path: &str, span: Span) -> Result<(), Diagnostic> {
     let parts: Vec<&str> = path.split('/').collect();
     let reason = if path.trim().is_empty() {
         "the name of the data file is empty"

@@ -1,11 +1,88 @@
-//! The statements of a `bspline` block.
+//! `bspline` blocks and their statements.
 
-use super::ast::{Expression, KnotChoice, Knots, Layer, Name, NetBlock, NetSource, NetStatement};
+use super::ast::{Definition, Expression, Name, Range};
 use super::expression::Builder;
 use super::parser::{Parsed, Rule};
 use super::statement::{Statement, internal, take};
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::syntax::ast::DefinitionKind;
+
+/// `bspline NAME { … }`
+#[derive(Debug, Clone, PartialEq)]
+pub struct NetBlock {
+    /// What the user calls the surface.
+    pub name: Name,
+    /// Definitions (`let`), in source order.
+    pub definitions: Vec<Definition>,
+    /// `domain` entries.
+    pub ranges: Vec<Range>,
+    /// `knots` entries.
+    pub knots: Vec<Knots>,
+    /// `net` statements; more than one is an error of the next stage.
+    pub nets: Vec<NetStatement>,
+    /// Boundary layers, in source order.
+    pub layers: Vec<Layer>,
+}
+
+/// `clamped in u, v` or `[…] in u`
+#[derive(Debug, Clone, PartialEq)]
+pub struct Knots {
+    /// Which knots.
+    pub choice: KnotChoice,
+    /// The directions that have them.
+    pub directions: Vec<Name>,
+    /// Where the choice is written.
+    pub span: Span,
+}
+
+/// Knots by name or one by one.
+#[derive(Debug, Clone, PartialEq)]
+pub enum KnotChoice {
+    /// `uniform` or `clamped`.
+    Named(Name),
+    /// Every knot.
+    Listed(Vec<Expression>),
+}
+
+/// `net n x m from …`
+#[derive(Debug, Clone, PartialEq)]
+pub struct NetStatement {
+    /// The numbers of the last control points in u and in v, as written.
+    pub last: [String; 2],
+    /// Where they are written.
+    pub size: Span,
+    /// Where the layers come from, unless they are stated one by one.
+    pub source: Option<NetSource>,
+    /// The whole statement.
+    pub span: Span,
+}
+
+/// Where all layers of a net come from.
+#[derive(Debug, Clone, PartialEq)]
+pub enum NetSource {
+    /// `surface X sampled greville`
+    Surface {
+        /// The surface.
+        surface: Name,
+        /// `uniform` or `greville`.
+        sampling: Name,
+    },
+    /// `points("net.csv")`, the text.
+    Table(Expression),
+    /// The control point as a function of its numbers or of its parameters.
+    Formula(Expression),
+}
+
+/// `layer i = 0: [x, y, z]`
+#[derive(Debug, Clone, PartialEq)]
+pub struct Layer {
+    /// `i` or `j`.
+    pub index: Name,
+    /// Its value, a number or a name.
+    pub position: Name,
+    /// The control points of the layer.
+    pub value: Expression,
+}
 
 impl NetBlock {
     /// A block that states nothing yet.

@@ -7,7 +7,6 @@ use super::ast::{
     SeamEdge, Setting, SolveStatement, Statements, Unknown,
 };
 use super::expression::Builder;
-use super::files::check_path;
 use super::parser::{Parsed, Rule};
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::{Derivative, canonical_name};
@@ -189,8 +188,11 @@ impl Builder<'_> {
             ),
             Rule::surface_line => Statement::Definitions(
                 parts
-                    .filter(|part| part.as_rule() == Rule::surface)
-                    .map(|part| self.definition(part))
+                    .filter(|part| matches!(part.as_rule(), Rule::surface | Rule::imported))
+                    .map(|part| match part.as_rule() {
+                        Rule::imported => self.imported(part),
+                        _ => self.definition(part),
+                    })
                     .collect::<Result<_, _>>()?,
             ),
             Rule::curve_line => Statement::Definitions(
@@ -323,27 +325,6 @@ impl Builder<'_> {
         let ranges = ranges.collect::<Result<_, _>>()?;
         let kind = if is_surface { DefinitionKind::Surface(ranges) } else { DefinitionKind::Let };
         Ok(Definition { kind, name, formals, value })
-    }
-
-    fn curve(&mut self, part: Parsed<'_>) -> Result<Definition, Diagnostic> {
-        let mut inner = part.into_inner();
-        let name = self.take_name(&mut inner)?;
-        let value = self.file(&mut inner)?;
-        Ok(Definition { kind: DefinitionKind::Curve, name, formals: Vec::new(), value })
-    }
-
-    /// The name of a data file, the one text in a bracket.
-    pub(super) fn file<'a>(&mut self, parts: &mut impl Iterator<Item = Parsed<'a>>) -> Result<Expression, Diagnostic> {
-        let arguments = parts.find(|part| part.as_rule() == Rule::arguments).ok_or_else(internal)?;
-        match self.bracket(&arguments)?.as_slice() {
-            [only] if let Kind::Text(path) = &self.tree.node(*only).kind => {
-                check_path(path, self.tree.span(*only))?;
-                Ok(*only)
-            }
-            _ => Err(Diagnostic::new(Code::UnexpectedText, "a data file is named by one text in quotes")
-                .at(self.span(&arguments))
-                .hint("as in `points(\"ring.csv\")`")),
-        }
     }
 
     fn range(&mut self, part: Parsed<'_>) -> Result<Range, Diagnostic> {

@@ -50,7 +50,7 @@ pub fn places(knots: &KnotVector) -> Vec<f64> {
 }
 
 /// The definition, by recursion on the degree, with 0/0 = 0: slow, and independent of the evaluation under test.
-fn cox_de_boor(knots: &[f64], index: usize, degree: usize, order: usize, x: f64) -> f64 {
+pub fn cox_de_boor(knots: &[f64], index: usize, degree: usize, order: usize, x: f64) -> f64 {
     let ratio = |a: f64, b: f64| if b == 0.0 { 0.0 } else { a / b };
     let (low, high) = (knots[index + degree] - knots[index], knots[index + degree + 1] - knots[index + 1]);
     if order > 0 {

@@ -143,8 +143,8 @@ fn last_point_that_repeats_the_first_closes_the_curve() {
 
 /// A surface of two arguments with kinks in neither, periodic in the second.
 fn tensor() -> SplineCall {
-    let u = Knots { degree: 3, knots: vec![0.0, 0.0, 0.0, 0.0, 0.4, 1.0, 1.0, 1.0, 1.0], is_periodic: false };
-    let v = Knots { degree: 2, knots: (-2..=7).map(f64::from).collect(), is_periodic: true };
+    let u = Knots { degree: 3, knots: vec![0.0, 0.0, 0.0, 0.0, 0.4, 1.0, 1.0, 1.0, 1.0], seam: None };
+    let v = Knots { degree: 2, knots: (-2..=7).map(f64::from).collect(), seam: Some(1) };
     let controls: Vec<f64> = (0..5 * 7).map(|k| libm::sin(f64::from(k / 7) + f64::from(k % 7 % 5))).collect();
     SplineCall::new(Arc::new(Spline::new("P", &[("u", u), ("v", v)], &controls).expect("well formed")))
 }

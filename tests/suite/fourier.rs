@@ -3,7 +3,7 @@
 
 use serde_json::Value;
 use trimline::blend::Blend;
-use trimline::diagnostic::{Class, Code, Diagnostic, Source};
+use trimline::diagnostic::{Code, Diagnostic, Source};
 use trimline::expr::Derivative;
 use trimline::method::{Options, Settings, Solution};
 use trimline::trial::{CardinalExponentials, Modes};
@@ -255,12 +255,34 @@ fn high_wave_numbers_neither_overflow_nor_lose_the_boundary() {
 }
 
 #[test]
-fn data_that_do_not_close_are_refused_with_both_values() {
-    let found = refusal(&format!("pde (d2/du2 + d2/dv2)^2 S = 0\n{}", with_data("1 + v/2")), &[]);
-    assert_eq!((found.code, found.class()), (Code::UnsupportedByMethod, Class::Unsupported));
-    assert!(found.message.contains("`1 + 0.5*v` (S_x at u = 0) is not periodic"), "{found}");
-    assert!(found.message.contains("1.000000 at v = 0.000000 and 4.141593 at v = 6.283185"), "{found}");
-    assert!(found.span.is_some());
+fn data_that_do_not_close_are_a_polynomial_and_a_series() {
+    // Both sides of a strip that has no period: e^(v/3) is solved in closed form by `exact`.
+    let data = "at u = 0: S = [1 + v/2, exp(v/3), v^5], dS/du = [0, v, 1]\nat u = 1: S = [2, v^2, 0], dS/du = [0, 0, exp(-v/4)]";
+    for (equation, tolerance) in
+        [("pde (d2/du2 + d2/dv2)^2 S = 0", 1e-13), ("pde d4S/du4 + 3 d4S/du2dv2 + d4S/dv4 = [1, u, 0]", 1e-11)]
+    {
+        let text = format!("domain v in [0.5, 3]\n{equation}\n{data}\n");
+        let (blend, solution) = solved(&text, &[("tolerance", "1e-8")]);
+        let measured = blend.verify(0, &solution, 0.0).expect("finite");
+        assert!(measured.boundary_error() <= tolerance * measured.data_size, "{measured:?}");
+        let truncation = solution.report.truncation.expect("a series");
+        assert!(truncation.left_out > 0.0 && truncation.left_out < 1e-5 && truncation.has_remainder, "{truncation:?}");
+        // Polynomials of degree 5 are no part of a series, and so solved exactly.
+        let polynomial = format!(
+            "domain v in [0.5, 3]\n{equation}\n{}\n",
+            data.replace("exp(v/3)", "v").replace("exp(-v/4)", "v^3")
+        );
+        let (_, found) = solved(&polynomial, &[]);
+        let exact = Blend::compile(
+            &Source::new("spec", polynomial),
+            &Options { method: Some("exact".to_owned()), ..Options::default() },
+        );
+        let exact = exact.expect("a problem").solve(0, 0.0).expect("a closure");
+        for point in [[0.3, 0.7, 0.0], [0.5, 1.9, 0.0], [0.9, 2.9, 0.0]] {
+            let [a, b] = [&found, &exact].map(|solution| at(&*solution.surface, "", point));
+            assert!(crate::bspline::distance(a, b) <= 1e-9 * measured.data_size, "{equation}: {a:?} {b:?}");
+        }
+    }
 }
 
 #[test]

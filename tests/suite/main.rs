@@ -37,6 +37,7 @@ mod four_sided;
 mod four_sided_specs;
 mod fourier;
 mod grids;
+mod imported;
 mod kernels;
 mod language;
 mod latex;

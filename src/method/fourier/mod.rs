@@ -1,5 +1,5 @@
-//! Fourier series along v: any boundary data that are periodic over the range of v, for equations with constant
-//! coefficients (González Castro, Ugail, Willis and Palmer 2006, corrected; docs/methods.md, F1 to F4).
+//! Fourier series along v: boundary data of any functions, for equations with coefficients that depend on neither v nor t
+//! (González Castro, Ugail, Willis and Palmer 2006, corrected; docs/methods.md, F1 to F5).
 //!
 //! Each wave number is a problem of its own, solved exactly: by the equation's own exponentials where it is
 //! `(∂²/∂u² + a² ∂²/∂v²)^m S = 0`, by [`exact`](super::exact) otherwise, for which a truncated series is a problem with
@@ -8,6 +8,7 @@
 //!
 //! t is a parameter: each instant has its own series.
 
+mod ends;
 mod modal;
 mod series;
 
@@ -39,7 +40,7 @@ impl Method for Fourier {
     }
 
     fn description(&self) -> &'static str {
-        "Fourier series of periodic data, exact for each wave number (Gonzalez Castro et al. 2006, corrected)"
+        "Fourier series of data along v, exact for each wave number (Gonzalez Castro et al. 2006, corrected)"
     }
 
     fn settings(&self) -> &'static [&'static str] {
@@ -64,7 +65,17 @@ impl Method for Fourier {
         let data = BoundaryData::compile(decomposition);
         let [start, end] = numbers.domain.t;
         let instants = if data.varies_in_time { vec![start, 0.5 * (start + end), end] } else { vec![start] };
-        instants.into_iter().try_for_each(|t| data.check_periodic(numbers.domain.v, t, numbers.params))
+        let are_periodic =
+            instants.into_iter().try_for_each(|t| data.check_periodic(numbers.domain.v, t, numbers.params));
+        // Data that do not close are for other methods, but for those without the derivatives that these need.
+        match are_periodic {
+            Err(reason)
+                if reason.code == Code::UnsupportedByMethod && decomposition.check_differentiable().is_err() =>
+            {
+                Ok(())
+            }
+            checked => checked,
+        }
     }
 
     fn prepare(&self, decomposition: &Decomposition, options: &Options) -> Result<Box<dyn Solver>, Diagnostic> {
@@ -155,6 +166,11 @@ impl Solver for FourierSolver {
                 warnings.extend(exact.warnings);
                 amplification = exact.amplification;
             }
+        }
+        if let Some(ends) = &series.ends {
+            let solution = ends.solve(&self.decomposition, &self.options, (params, range_u, t))?;
+            warnings.extend(solution.report.warnings.iter().cloned());
+            assembly.add_ends(ends, solution.separable()?);
         }
         let decay = rates.unwrap_or_else(|| numerals.decay());
         if self.has_remainder {

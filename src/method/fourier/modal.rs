@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::ends::Ends;
 use super::series::Series;
 use crate::decompose::{BasisFunction, Decomposition, close};
 use crate::diagnostic::{Code, Diagnostic, Span};
@@ -107,6 +108,8 @@ pub struct Assembly {
     functions: Vec<(ExprId, Option<Span>)>,
     /// For each wave number the places of its cosine and its sine.
     waves: Vec<[usize; 2]>,
+    /// The places of the powers of v less the middle of its range, if something is not periodic.
+    powers: Vec<usize>,
     parts: Vec<Arc<dyn Modes>>,
     /// How many functions of u there are.
     count: usize,
@@ -127,7 +130,7 @@ impl Assembly {
             functions.push((graph.call(Function::Cos, &[argument]), None));
             functions.push((graph.call(Function::Sin, &[argument]), None));
         }
-        Assembly { graph, functions, waves, parts: Vec::new(), count: 0, entries: Vec::new() }
+        Assembly { graph, functions, waves, powers: Vec::new(), parts: Vec::new(), count: 0, entries: Vec::new() }
     }
 
     fn add_part(&mut self, part: Arc<dyn Modes>) -> usize {
@@ -217,6 +220,28 @@ impl Assembly {
         Ok(solution.report)
     }
 
+    /// The exact functions of `surface`, whose basis are the powers of v less the middle of its range.
+    pub fn add_ends(&mut self, ends: &Ends, surface: &SeparableSurface) {
+        self.add_powers(ends);
+        let first = self.add_part(Arc::clone(&surface.modes));
+        let all = surface.coefficients.first().map_or(&[][..], Vec::as_slice);
+        for (mode, row) in all.chunks(surface.basis.len().max(1)).enumerate() {
+            let row = row.iter().zip(&self.powers);
+            self.entries.extend(row.map(|(vector, place)| (first + mode, *place, *vector)));
+        }
+    }
+
+    fn add_powers(&mut self, ends: &Ends) {
+        let v = self.graph.variable(Variable::V);
+        let back = self.graph.number(Number::from_f64(-ends.middle).unwrap_or(Number::integer(0)));
+        let moved = self.graph.sum([v, back]);
+        for power in 0..ends.powers() {
+            self.powers.push(self.functions.len());
+            let power = self.graph.power_integer(moved, i64::try_from(power).unwrap_or(i64::MAX));
+            self.functions.push((power, None));
+        }
+    }
+
     /// `R = Σ_i K_i(u) d_i(v, t)`, with K_i the functions of the next wave number and d_i what the series leaves out.
     pub fn add_remainder(
         &mut self,
@@ -246,6 +271,16 @@ impl Assembly {
                     .map(|pair| pair.map(|vector| vector.map(|value| -value)))
                     .collect();
                 self.place(first, n, &subtracted);
+            }
+            for (condition, ends) in (0..numerals.functionals.len()).zip(std::iter::repeat(&series.ends)) {
+                for (power, place) in self.powers.iter().enumerate() {
+                    let subtracted = |component: usize| {
+                        let value =
+                            ends.as_ref().map_or(0.0, |ends| ends.coefficient(3 * condition + component, power));
+                        if components.contains(&component) { -value } else { 0.0 }
+                    };
+                    self.entries.push((first + condition, *place, [0, 1, 2].map(subtracted)));
+                }
             }
         }
         Ok(())

@@ -1,15 +1,16 @@
 //! The boundary data at one instant as trigonometric series in v.
 //!
-//! `g_i(v) = A_0 + Σ_{n <= N} A_n cos nκv + B_n sin nκv + d_i(v)` with κ the wave number of one turn over the range of
-//! v (docs/methods.md, F1). Coefficients come from equally spaced samples, whose number is doubled until those
+//! `g_i(v) = p_i(v) + A_0 + Σ_{n <= N} A_n cos nκv + B_n sin nκv + d_i(v)` with κ the wave number of one turn over the
+//! range of v (docs/methods.md, F1), and p_i the polynomial of what is not periodic ([`Ends`]). Coefficients come from equally spaced samples, whose number is doubled until those
 //! beyond N no longer count; what is left out is measured between the samples, not estimated from the coefficients.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
+use super::ends::{Ends, MOST_DERIVATIVES};
 use crate::decompose::Decomposition;
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::eval::{Backend, Evaluator, Program, Samples, compile};
-use crate::expr::{ExprId, Notation};
+use crate::expr::{Derivative, ExprId, Graph, Notation};
 use crate::numeric::trigonometric_coefficients;
 use crate::problem::describe_condition;
 
@@ -25,6 +26,10 @@ pub enum Length {
 /// The prescribed values of every condition and component, compiled.
 pub struct BoundaryData {
     values: Arc<dyn Evaluator>,
+    graph: Graph,
+    outputs: Vec<ExprId>,
+    /// Derivatives in v of all values, of order 1 and so on, as far as all have them; compiled when they are asked for.
+    slopes: OnceLock<Vec<Arc<dyn Evaluator>>>,
     /// What each value is called, and where it is written.
     names: Vec<(String, Option<Span>)>,
     /// Whether any of them depends on t.
@@ -45,6 +50,8 @@ pub struct Series {
     pub size: f64,
     /// The largest jump of a slope where the range of v closes.
     pub corner: f64,
+    /// The polynomials of what is not periodic; `None` if all is.
+    pub ends: Option<Ends>,
 }
 
 impl Series {
@@ -84,13 +91,42 @@ impl BoundaryData {
             varies_in_time: outputs.iter().any(|expr| graph.dependence(*expr).t),
             values: compile(Program::compile(graph, &outputs), Backend::Interpreter).0,
             names: each.map(name).collect(),
+            slopes: OnceLock::new(),
+            graph: graph.clone(),
+            outputs,
         }
+    }
+
+    /// See [`BoundaryData::slopes`].
+    fn slopes(&self) -> &[Arc<dyn Evaluator>] {
+        self.slopes.get_or_init(|| {
+            let mut graph = self.graph.clone();
+            let derivatives = |order: usize, graph: &mut Graph| -> Option<Vec<ExprId>> {
+                let derivative = Derivative::new(0, order, 0);
+                self.outputs.iter().map(|expr| graph.derivative(*expr, derivative).ok()).collect()
+            };
+            let existing = (1..=MOST_DERIVATIVES).map_while(|order| derivatives(order, &mut graph));
+            let existing: Vec<Vec<ExprId>> = existing.collect();
+            let compiled = |exprs: &Vec<ExprId>| compile(Program::compile(&graph, exprs), Backend::Interpreter).0;
+            existing.iter().map(compiled).collect()
+        })
     }
 
     /// Values at `v`, one list for each condition and component.
     fn at(&self, v: &[f64], t: f64, params: &[f64]) -> Result<Vec<Vec<f64>>, Diagnostic> {
-        let mut values = vec![0.0; self.values.program().outputs() * v.len()];
-        self.values
+        self.evaluated(&*self.values, v, t, params)
+    }
+
+    /// Values or derivatives, whichever `evaluator` computes.
+    fn evaluated(
+        &self,
+        evaluator: &dyn Evaluator,
+        v: &[f64],
+        t: f64,
+        params: &[f64],
+    ) -> Result<Vec<Vec<f64>>, Diagnostic> {
+        let mut values = vec![0.0; evaluator.program().outputs() * v.len()];
+        evaluator
             .evaluate(params, Samples { u: v, v, t: &vec![t; v.len()] }, &mut values)
             .map_err(|error| Diagnostic::new(Code::SolutionNotFinite, error.to_string()))?;
         if let Some(at) = values.iter().position(|value| !value.is_finite()) {
@@ -108,23 +144,31 @@ impl BoundaryData {
         self.names.get(index).map_or(("?", None), |(name, origin)| (name.as_str(), *origin))
     }
 
+    /// Whether each value is the same at both ends of the range of v, up to rounding; and the values there.
+    fn periodicity(&self, [low, high]: [f64; 2], t: f64, params: &[f64]) -> Result<Vec<(bool, [f64; 2])>, Diagnostic> {
+        // A few values between tell how large the data are.
+        let between = [0.0, 0.13, 0.31, 0.55, 0.79, 0.93, 1.0].map(|share| low * (1.0 - share) + high * share);
+        let compared = |values: Vec<f64>| {
+            let size = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+            let ends = [values.first(), values.last()].map(|end| end.copied().unwrap_or(f64::NAN));
+            ((ends[0] - ends[1]).abs() <= SAME * size, ends)
+        };
+        Ok(self.at(&between, t, params)?.into_iter().map(compared).collect())
+    }
+
     /// Refuses data whose values at both ends of the range of v differ by more than rounding.
     ///
     /// # Errors
     /// [`Code::UnsupportedByMethod`] with the values; [`Code::DataNotFinite`].
     pub fn check_periodic(&self, [low, high]: [f64; 2], t: f64, params: &[f64]) -> Result<(), Diagnostic> {
-        // A few values between tell how large the data are.
-        let between = [0.0, 0.13, 0.31, 0.55, 0.79, 0.93, 1.0].map(|share| low * (1.0 - share) + high * share);
-        for (index, values) in self.at(&between, t, params)?.into_iter().enumerate() {
-            let size = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
-            let [first, .., last] = values.as_slice() else { continue };
-            if (first - last).abs() > SAME * size {
+        for (index, (is_periodic, [first, last])) in self.periodicity([low, high], t, params)?.into_iter().enumerate() {
+            if !is_periodic {
                 let (name, origin) = self.name(index);
                 let message = format!(
                     "{name} is not periodic over the range of v: {} at v = {} and {} at v = {}",
-                    short(*first),
+                    short(first),
                     short(low),
-                    short(*last),
+                    short(last),
                     short(high)
                 );
                 return Err(Diagnostic::new(Code::UnsupportedByMethod, message).at(origin));
@@ -133,17 +177,50 @@ impl BoundaryData {
         Ok(())
     }
 
+    /// The polynomials that leave of the values at instant `t` what is periodic.
+    fn ends(&self, range: [f64; 2], t: f64, params: &[f64]) -> Result<Option<Ends>, Diagnostic> {
+        let periodicity = self.periodicity(range, t, params)?;
+        if periodicity.iter().all(|(is_periodic, _)| *is_periodic) {
+            return Ok(None);
+        }
+        let mut given = vec![self.at(&range, t, params)?];
+        for evaluator in self.slopes() {
+            given.push(self.evaluated(&**evaluator, &range, t, params)?);
+        }
+        let is_open: Vec<bool> = periodicity.iter().map(|(is_periodic, _)| !is_periodic).collect();
+        Ok(Ends::new(range, &given, &is_open))
+    }
+
+    /// The values at `v` less the polynomials of `ends`, one list for each condition and component.
+    fn periodic_part(
+        &self,
+        ends: Option<&Ends>,
+        v: &[f64],
+        t: f64,
+        params: &[f64],
+    ) -> Result<Vec<Vec<f64>>, Diagnostic> {
+        let mut values = self.at(v, t, params)?;
+        if let Some(ends) = ends {
+            for (index, list) in values.iter_mut().enumerate() {
+                list.iter_mut().zip(v).for_each(|(value, v)| *value -= ends.value(index, *v));
+            }
+        }
+        Ok(values)
+    }
+
     /// The series of all values at instant `t`.
     ///
     /// # Errors
-    /// As [`BoundaryData::check_periodic`].
+    /// [`Code::DataNotFinite`].
     pub fn series(&self, length: Length, range: [f64; 2], t: f64, params: &[f64]) -> Result<Series, Diagnostic> {
-        self.check_periodic(range, t, params)?;
+        let ends = self.ends(range, t, params)?;
         let mut count = FEWEST;
         let mut before: Option<Vec<Vec<[f64; 2]>>> = None;
         loop {
-            let samples = self.at(&spaced(range, count, 0.0), t, params)?;
-            let size = samples.iter().flatten().fold(0.0_f64, |most, value| most.max(value.abs()));
+            let places = spaced(range, count, 0.0);
+            let whole = self.at(&places, t, params)?;
+            let size = whole.iter().flatten().fold(0.0_f64, |most, value| most.max(value.abs()));
+            let samples = if ends.is_some() { self.periodic_part(ends.as_ref(), &places, t, params)? } else { whole };
             let coefficients = trigonometric_coefficients(&samples);
             let (modes, is_settled) = match length {
                 Length::Adaptive(tolerance, most) => {
@@ -158,7 +235,7 @@ impl BoundaryData {
                 }
             };
             if is_settled && modes < count / 2 {
-                let series = self.truncated(&coefficients, modes, size, range, t, params)?;
+                let series = self.truncated((&coefficients, ends.as_ref()), modes, size, range, t, params)?;
                 // A function between whose samples nothing can be seen is seen by the points of the measurement.
                 let is_true = match length {
                     Length::Adaptive(tolerance, most) => {
@@ -178,7 +255,7 @@ impl BoundaryData {
     /// The first `modes` of `coefficients`, turned to begin at v = 0, and what they leave out.
     fn truncated(
         &self,
-        coefficients: &[Vec<[f64; 2]>],
+        (coefficients, ends): (&[Vec<[f64; 2]>], Option<&Ends>),
         modes: usize,
         size: f64,
         range: [f64; 2],
@@ -199,7 +276,7 @@ impl BoundaryData {
         let mut v = spaced(range, (8 * modes + 97).max(257), 0.381_966);
         v.extend(range);
         let (mut left_out, mut worst) = (0.0_f64, 0);
-        for (index, (pairs, values)) in kept.iter().zip(self.at(&v, t, params)?).enumerate() {
+        for (index, (pairs, values)) in kept.iter().zip(self.periodic_part(ends, &v, t, params)?).enumerate() {
             for (v, value) in v.iter().zip(values) {
                 let here = (value - sum(pairs, wave_number * v)).abs();
                 if here > left_out {
@@ -207,13 +284,21 @@ impl BoundaryData {
                 }
             }
         }
-        let corner = self.corner(range, t, params)?;
-        Ok(Series { wave_number, coefficients: kept, left_out, origin: self.name(worst).1, size, corner })
+        let corner = self.corner(ends, range, t, params)?;
+        Ok(Series {
+            wave_number,
+            coefficients: kept,
+            left_out,
+            origin: self.name(worst).1,
+            size,
+            corner,
+            ends: ends.cloned(),
+        })
     }
 
     /// The largest jump of a slope where the range closes, by one-sided differences. Those of smooth data shrink with the
     /// step, however fast the data vary; those of a jump do not.
-    fn corner(&self, [low, high]: [f64; 2], t: f64, params: &[f64]) -> Result<f64, Diagnostic> {
+    fn corner(&self, ends: Option<&Ends>, [low, high]: [f64; 2], t: f64, params: &[f64]) -> Result<f64, Diagnostic> {
         let steps = [1.0, 0.5, 0.25].map(|share| share * 1e-6 * (high - low));
         let places: Vec<f64> = steps.iter().flat_map(|step| [low, low + step, high - step, high]).collect();
         let jump = |values: Vec<f64>| {
@@ -225,7 +310,7 @@ impl BoundaryData {
                 jumps.fold((f64::INFINITY, 0.0_f64), |(low, high), jump| (low.min(jump), high.max(jump)));
             if least >= 0.9 * most { most } else { 0.0 }
         };
-        Ok(self.at(&places, t, params)?.into_iter().map(jump).fold(0.0, f64::max))
+        Ok(self.periodic_part(ends, &places, t, params)?.into_iter().map(jump).fold(0.0, f64::max))
     }
 }
 

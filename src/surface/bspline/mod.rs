@@ -11,6 +11,7 @@ mod insertion;
 mod json;
 mod knots;
 mod moving;
+mod splines;
 mod step;
 
 pub use curve::BsplineCurve;

@@ -1,0 +1,112 @@
+//! `surface S1 = bspline("part.step", face = 2)`: a primary surface from a file of B-splines.
+//!
+//! Its parameters u and v are those of its knots, which are its ranges. Where its two edges are one curve it repeats itself
+//! with that period; beyond its knots otherwise there is no surface.
+
+use std::rc::Rc;
+use std::sync::Arc;
+
+use super::curve;
+use super::reading::Reading;
+use super::scope::{Meaning, Scope};
+use super::surface::SurfaceMeaning;
+use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::expr::{Number, SplineCall, Variable};
+use crate::limits::Limits;
+use crate::problem::PrimarySurface;
+use crate::surface::BsplineSurface;
+use crate::surface::bspline::{from_json, from_step};
+use crate::syntax::ast::{DataFile, Definition, Kind, Name};
+
+/// The names of the parameters.
+const PARAMETERS: [&str; 2] = ["u", "v"];
+
+/// Declares a `surface` from a file, of which `face` says which, from 1.
+pub fn declare(definition: &Definition, face: Option<usize>, scope: &mut Scope<'_>, reading: &mut Reading<'_>) {
+    let node = reading.tree.node(definition.value);
+    let Kind::Text(path) = &node.kind else { return };
+    let name = &definition.name.text;
+    let file = reading.files.iter().find(|file| file.path == *path);
+    let surface = surface(path, file, face, reading.limits).and_then(|surface| {
+        let splines = surface.splines(name, PARAMETERS).ok_or_else(|| {
+            Diagnostic::new(Code::BadSplineFile, format!("{path}: the values of the B-spline overflow")).hint(
+                "knots very close together, or coordinates near the largest double, leave no numbers to compute with",
+            )
+        })?;
+        Ok((surface, splines))
+    });
+    let meaning = match reading.keep(surface.map_err(|finding| finding.at(node.span))) {
+        None => Meaning::Faulty,
+        Some((surface, splines)) => {
+            let which = face.map_or_else(String::new, |face| format!(", face = {face}"));
+            reading.data.push(format!("surface {name} = bspline(\"{path}\"{which})"));
+            imported(definition, &surface, splines, reading)
+        }
+    };
+    let declared = scope.declare(&definition.name, meaning);
+    reading.keep(declared);
+}
+
+fn imported(
+    definition: &Definition,
+    surface: &BsplineSurface,
+    splines: [SplineCall; 3],
+    reading: &mut Reading<'_>,
+) -> Meaning {
+    let arguments = [Variable::U, Variable::V].map(|variable| reading.graph.variable(variable));
+    let position = splines.map(|spline| reading.graph.spline(spline, &arguments));
+    let mut end = |x: f64| reading.graph.number(Number::from_f64(x).unwrap_or(Number::integer(0)));
+    let ranges = surface.domain().map(|range| Some(range.map(&mut end)));
+    let index = reading.surfaces.len();
+    reading.surfaces.push(PrimarySurface {
+        name: definition.name.text.clone(),
+        parameters: PARAMETERS.map(str::to_owned).to_vec(),
+        position,
+        ranges,
+        range_origins: [None; 2],
+        origin: Some(definition.name.span),
+    });
+    let parameters = PARAMETERS.map(|name| Name { text: name.to_owned(), span: Span::default() }).to_vec();
+    Meaning::Surface(Rc::new(SurfaceMeaning { index: Some(index), parameters, position }))
+}
+
+/// The surface of a file that is meant.
+fn surface(
+    path: &str,
+    file: Option<&DataFile>,
+    face: Option<usize>,
+    limits: &Limits,
+) -> Result<BsplineSurface, Diagnostic> {
+    let mut found = read(curve::contents(path, file)?, path, limits).map_err(|mut finding| {
+        finding.message = format!("{path}: {}", finding.message);
+        finding
+    })?;
+    let count = found.len();
+    let what = match count {
+        1 => "1 B-spline surface".to_owned(),
+        _ => format!("{count} B-spline surfaces"),
+    };
+    let bad = |message: String| Diagnostic::new(Code::BadSplineFile, message);
+    let index = match face {
+        None if count == 1 => 0,
+        None => {
+            let finding = bad(format!("{path}: it holds {what}, and which of them is meant is missing"));
+            return Err(finding.hint(format!("write `bspline(\"{path}\", face = 1)`")));
+        }
+        Some(face) => face.wrapping_sub(1),
+    };
+    if index >= count {
+        let finding = bad(format!("{path}: there is no face {}: it holds {what}", face.unwrap_or_default()));
+        return Err(finding.hint("faces are counted from 1, in the order of the file"));
+    }
+    Ok(found.swap_remove(index).1)
+}
+
+fn read(bytes: &Arc<[u8]>, path: &str, limits: &Limits) -> Result<Vec<(String, BsplineSurface)>, Diagnostic> {
+    let text = std::str::from_utf8(bytes).map_err(|_| {
+        Diagnostic::new(Code::BadSplineFile, "it is no text").hint("files of B-splines are JSON or STEP")
+    })?;
+    let extension = path.rsplit_once('.').map_or("", |(_, extension)| extension);
+    let is_step = ["step", "stp"].iter().any(|known| extension.eq_ignore_ascii_case(known));
+    if is_step { from_step(text, limits) } else { from_json(text, limits) }
+}

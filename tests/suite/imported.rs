@@ -1,0 +1,282 @@
+//! Primary surfaces from files of B-splines: blends measured against the recursive definition, and what is said of bad files.
+
+use serde_json::{Value, json};
+
+use trimline::blend::Blend;
+use trimline::diagnostic::{Diagnostics, Source};
+use trimline::export::{CadFormat, Face, Schema, write_cad};
+use trimline::limits::Limits;
+use trimline::method::{Options, Solution};
+use trimline::surface::BsplineSurface;
+use trimline::surface::bspline::{from_json, from_step, to_json};
+use trimline::verify::verify_joins;
+
+use crate::bspline::{cox_de_boor, distance, random_knots, random_points};
+use crate::spec::{at, data_file, example};
+
+fn compiled(text: &str, files: &[(&str, &str)]) -> Result<Blend, Diagnostics> {
+    let read = |path: &str| {
+        let given = files.iter().find(|(name, _)| *name == path);
+        given.map(|(_, contents)| contents.as_bytes().to_vec()).ok_or_else(|| "there is none".to_owned())
+    };
+    Blend::compile_with(&Source::new("spec", text), read, &Options::default())
+}
+
+fn blend(text: &str, files: &[(&str, &str)]) -> Blend {
+    compiled(text, files).unwrap_or_else(|found| panic!("{text}\n{found:?}"))
+}
+
+fn solved(blend: &Blend, t: f64) -> Solution {
+    blend.solve(0, t).unwrap_or_else(|found| panic!("{found}"))
+}
+
+/// A derivative of a B-spline by the recursive definition of its basis.
+fn definition(surface: &BsplineSurface, [order_u, order_v]: [usize; 2], [u, v]: [f64; 2]) -> [f64; 3] {
+    let [in_u, in_v] = surface.knots();
+    let mut sum = [0.0; 3];
+    for (i, row) in surface.rows().enumerate() {
+        let share = cox_de_boor(in_u.as_slice(), i, in_u.degree(), order_u, u);
+        for (j, point) in row.iter().enumerate() {
+            let share = share * cox_de_boor(in_v.as_slice(), j, in_v.degree(), order_v, v);
+            (0..3).for_each(|axis| sum[axis] += share * point[axis]);
+        }
+    }
+    sum
+}
+
+fn read_json(text: &str, index: usize) -> BsplineSurface {
+    from_json(text, &Limits::default()).expect("surfaces").swap_remove(index).1
+}
+
+/// An open surface with edges that do not meet, of degrees 3 and `degree`.
+fn open(degree: usize) -> BsplineSurface {
+    let (u, v) = (random_knots(5, 3, 6), random_knots(6, degree, 9));
+    BsplineSurface::new(u, v, random_points(7, 54)).expect("a surface").clamped()
+}
+
+const FAR: &str = "at u = 1: S = [v, 3 + sin(t), v^2], ∂S/∂u = [0, 1, 0]\n";
+
+/// Where the trimline is looked at: not at the points of any method.
+fn along([low, high]: [f64; 2]) -> impl Iterator<Item = f64> {
+    (0..=40).map(move |step| low + (high - low) * f64::from(step) / 40.0)
+}
+
+#[test]
+fn blend_with_an_open_quintic_meets_position_and_tangent_of_its_definition() {
+    let part = open(5);
+    let file = to_json(&[("part", &part)]).expect("JSON");
+    let [[_, end], range] = part.domain();
+    let text = format!(
+        "surface S1 = bspline(\"part.json\")\ndomain v in [{:?}, {:?}]\nat u = 0: S = S1({end:?}, v), ∂S/∂u = ∂S1({end:?}, v)/∂u\n{FAR}",
+        range[0], range[1]
+    );
+    let solution = solved(&blend(&text, &[("part.json", &file)]), 0.5);
+    for v in along(range) {
+        // The recursive definition is of half-open spans: the end is taken just before.
+        let v = v.min(range[1] - 1e-13).max(range[0]);
+        let inside = [end - 1e-13, v];
+        for (letters, orders) in [("", [0, 0]), ("u", [1, 0])] {
+            let (found, stated) = (at(&*solution.surface, letters, [0.0, v, 0.5]), definition(&part, orders, inside));
+            assert!(distance(found, stated) <= 1e-10, "{letters} at {v}: {found:?} {stated:?}");
+        }
+    }
+}
+
+#[test]
+fn blend_with_an_open_cubic_misses_it_by_no_more_than_it_says() {
+    let part = open(3);
+    let mut bytes = Vec::new();
+    let face = Face { name: "part".to_owned(), surface: part.clone() };
+    write_cad("model", &[face], CadFormat::Step(Schema::Ap242), &mut bytes).expect("a file");
+    let file = String::from_utf8(bytes).expect("a text");
+    let [[start, _], range] = part.domain();
+    let text = format!(
+        "surface S1 = bspline(\"part.STP\", face = 1)\ndomain v in [{:?}, {:?}]\nat u = 0: join S1 at u = {start:?}, flip\n{FAR}",
+        range[0], range[1]
+    );
+    let blend = blend(&text, &[("part.STP", &file)]);
+    let solution = solved(&blend, 0.5);
+    let truncation = solution.report.truncation.expect("a series");
+    assert_eq!((solution.report.method, truncation.has_remainder), ("fourier", false));
+    assert!(truncation.left_out < 1e-5, "{truncation:?}");
+    let mut worst = 0.0_f64;
+    for v in along(range) {
+        let v = v.min(range[1] - 1e-13).max(range[0]);
+        let found = at(&*solution.surface, "", [0.0, v, 0.5]);
+        worst = worst.max(distance(found, definition(&part, [0, 0], [start, v])));
+        let turned = definition(&part, [1, 0], [start, v]).map(|x| -x);
+        let tangent = at(&*solution.surface, "u", [0.0, v, 0.5]);
+        assert!(distance(tangent, turned) <= 4.0 * truncation.left_out, "{v}: {tangent:?} {turned:?}");
+    }
+    assert!(worst <= 2.0 * truncation.left_out, "{worst:e} {truncation:?}");
+}
+
+#[test]
+fn imported_surface_that_closes_keeps_its_period() {
+    let glass = String::from_utf8(data_file("glass.json").expect("an example's file")).expect("a text");
+    let part = read_json(&glass, 1);
+    let text = "surface S1 = bspline(\"glass.json\", face = 2)\n\
+                at u = 0: S = S1(0, v + 1 + 2t), ∂S/∂u = -∂S1(0, v + 1 + 2t)/∂u\n\
+                at u = 1: S = [cos v, sin v, 5], ∂S/∂u = [0, 0, 1]\n";
+    let blend = blend(text, &[("glass.json", &glass)]);
+    for t in [0.0, 0.7] {
+        let solution = solved(&blend, t);
+        for v in along([0.0, std::f64::consts::TAU]) {
+            let there = (v + 1.0 + 2.0 * t).rem_euclid(std::f64::consts::TAU);
+            let stated = definition(&part, [0, 0], [0.0, there]);
+            let found = at(&*solution.surface, "", [0.0, v, t]);
+            assert!(distance(found, stated) <= 1e-11, "{v}, {t}: {found:?} {stated:?}");
+        }
+    }
+}
+
+#[test]
+fn moving_frame_carries_an_imported_face() {
+    // As the example has it: turned about z and lifted in time.
+    let text = example("import_step");
+    let blend = Blend::compile_with(&Source::new("spec", &text), data_file, &Options::default()).expect("an example");
+    let file = String::from_utf8(data_file("catenoid.step").expect("a file")).expect("a text");
+    let part = from_step(&file, &Limits::default()).expect("a face").swap_remove(0).1;
+    let [range_u, range_v] = part.domain();
+    for t in [0.0, 0.4, 1.0] {
+        let solution = solved(&blend, t);
+        let left_out = solution.report.truncation.expect("a series").left_out;
+        assert!(left_out < 1e-6, "{left_out:e}");
+        let (sine, cosine) = (0.3 * t).sin_cos();
+        for v in along(range_v) {
+            let v = v.min(range_v[1] - 1e-13);
+            let [x, y, z] = definition(&part, [0, 0], [range_u[0], v]);
+            let stated = [cosine * x - sine * y, sine * x + cosine * y, z + 0.2 * t];
+            let found = at(&*solution.surface, "", [0.0, v, t]);
+            assert!(distance(found, stated) <= 3.0 * left_out, "{v}, {t}: {found:?} {stated:?}");
+        }
+    }
+}
+
+#[test]
+fn joins_are_measured_against_the_imported_surface() {
+    for name in ["import_json", "import_step"] {
+        let text = example(name);
+        let blend = Blend::compile_with(&Source::new("spec", &text), data_file, &Options::default()).expect(name);
+        assert!(!blend.problem.patches[0].joins.is_empty(), "{name}");
+        for t in [0.0, 0.5] {
+            let solution = solved(&blend, t);
+            let prepared = &blend.patches[0];
+            let measured = verify_joins(
+                &blend.problem,
+                prepared.patch(),
+                &*solution.surface,
+                (&blend.bindings, &prepared.domain, t),
+                &Limits::default(),
+            );
+            for join in measured.expect("measured") {
+                assert!(join.gap < 1e-6 && join.angle_degrees.expect("planes") < 1e-3, "{name}: {join:?}");
+            }
+        }
+    }
+}
+
+/// The text of `part.json`: a bilinear face over [0, 1] and [0, 2], with one entry replaced.
+fn file(key: &str, value: Value) -> String {
+    let mut patch = json!({
+        "name": "p", "degree": [1, 1], "knots_u": [0, 0, 1, 1], "knots_v": [0, 0, 2, 2],
+        "control_net": [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 0]]]
+    });
+    patch[key] = value;
+    json!({ "patches": [patch] }).to_string()
+}
+
+fn refusal(declared: &str, boundary: &str, contents: &str) -> String {
+    let text = format!("surface A = bspline({declared})\ndomain v in [0, 2]\nat u = 0: {boundary}, ∂S/∂u = 0\n{FAR}");
+    let found = compiled(&text, &[("part.json", contents), ("part.step", contents)]).err().expect("a bad file");
+    assert_eq!(found.len(), 1, "{found:?}");
+    let span = found[0].span.expect("a place");
+    format!("{} `{}` {}", found[0].code, &text[span.start..span.end], found[0].message)
+}
+
+#[test]
+fn faults_of_a_file_are_one_error_at_its_name() {
+    let refused = |declared: &str, contents: &str| refusal(declared, "S = A(1, v)", contents);
+    let good = || file("name", json!("p"));
+    let patch = serde_json::from_str::<Value>(&good()).expect("JSON")["patches"][0].clone();
+    let two = json!({ "patches": [patch, patch] }).to_string();
+    for (declared, contents, words) in [
+        (
+            "\"part.json\"",
+            "{}".to_owned(),
+            "E0609 `\"part.json\"` part.json: this is no file of B-splines: missing field `patches`",
+        ),
+        (
+            "\"part.json\"",
+            "{\"patches\":[]}".to_owned(),
+            "E0609 `\"part.json\"` part.json: it holds 0 B-spline surfaces",
+        ),
+        (
+            "\"part.json\"",
+            two,
+            "E0609 `\"part.json\"` part.json: it holds 2 B-spline surfaces, and which of them is meant is missing",
+        ),
+        (
+            "\"part.json\", face = 2",
+            good(),
+            "E0609 `\"part.json\"` part.json: there is no face 2: it holds 1 B-spline surface",
+        ),
+        ("\"part.json\", face = 0", good(), "E0609 `\"part.json\"` part.json: there is no face 0"),
+        (
+            "\"part.json\"",
+            file("knots_u", json!([0, 0, 1])),
+            "E0601 `\"part.json\"` part.json: patch `p`: 3 knots are too few",
+        ),
+        (
+            "\"part.json\"",
+            file("knots_u", json!([0, 1, 0, 1])),
+            "E0601 `\"part.json\"` part.json: patch `p`: the knots descend",
+        ),
+        (
+            "\"part.json\"",
+            file("knots_v", json!([0, 0, 1, 2, 2])),
+            "E0603 `\"part.json\"` part.json: patch `p`: row 0 of the net has 2 points",
+        ),
+        (
+            "\"part.json\"",
+            file("degree", json!([1, 9])),
+            "E0601 `\"part.json\"` part.json: patch `p`: the degree of a B-spline is 9",
+        ),
+        (
+            "\"part.json\"",
+            good().replace("[1,1,0]", "[1,1,1e999]"),
+            "E0609 `\"part.json\"` part.json: this is no file of B-splines: number out of range",
+        ),
+        ("\"part.step\"", good(), "E0609 `\"part.step\"` part.step: this is no STEP file"),
+        (
+            "\"part.step\"",
+            "ISO-10303-21;\nDATA;\n#1=PLANE('',#2);\nENDSEC;\n".to_owned(),
+            "E0609 `\"part.step\"` part.step: the STEP file has no face on a B-spline surface",
+        ),
+        ("\"other.json\"", good(), "E0221 `\"other.json\"` the data file `other.json` cannot be read: there is none"),
+    ] {
+        let found = refused(declared, &contents);
+        assert!(found.starts_with(words), "{words}\n{found}");
+    }
+}
+
+#[test]
+fn data_beyond_the_knots_are_refused_with_the_range() {
+    let good = file("name", json!("p"));
+    for (boundary, words) in [
+        ("S = A(1.5, v)", "E0303 `A(1.5, v)` `A` is asked for at u = 1.5, outside the range [0, 1] of its knots"),
+        ("S = A(1, v + t)", "E0303 `A(1, v + t)` `A` is asked for at v = 3, outside the range [0, 2] of its knots"),
+        ("S = A(v/4 - 0.25, v)", "E0303 `A(v/4 - 0.25, v)` `A` is asked for at u = -0.25, outside the range [0, 1]"),
+    ] {
+        let found = refusal("\"part.json\"", boundary, &good);
+        assert!(found.starts_with(words), "{words}\n{found}");
+    }
+    // A param that moves it there is refused, and the blend is as it was.
+    let text = format!(
+        "param a = 1\nsurface A = bspline(\"part.json\")\ndomain v in [0, 2]\nat u = 0: S = A(a, v), ∂S/∂u = 0\n{FAR}"
+    );
+    let mut blend = blend(&text, &[("part.json", &good)]);
+    let found = blend.set("a", "2").expect_err("beyond");
+    assert!(found[0].message.starts_with("`A` is asked for at u = 2, outside"), "{found:?}");
+    solved(&blend, 0.0);
+}
