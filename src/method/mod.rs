@@ -16,6 +16,7 @@ mod settings;
 mod sine;
 mod static_blend;
 
+pub use four_sided::Known;
 pub use settings::{Fit, Settings, Size, Terms};
 
 use std::sync::Arc;
@@ -147,6 +148,8 @@ pub struct Options {
     pub backend: Backend,
     /// Bounds.
     pub limits: Limits,
+    /// What patches that are prepared with the same options have in common.
+    pub known: Known,
 }
 
 /// Every method; those that are not [`AUTOMATIC`] are chosen by name alone.

@@ -2,6 +2,7 @@
 //!
 //! Judges ([`verify`](crate::verify)) and tessellators see only [`Surface`], never how one was made.
 
+mod apex;
 mod basis;
 pub mod bspline;
 mod coons;
@@ -16,6 +17,7 @@ mod sides;
 mod symbolic;
 mod validity;
 
+pub use apex::Apex;
 pub use basis::Basis;
 pub use bspline::{BsplineCurve, BsplineSurface, KnotVector, MovingBspline};
 pub use coons::CoonsSurface;

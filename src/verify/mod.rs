@@ -4,10 +4,12 @@
 //! the equation are evaluated here, from the problem's own expressions, by the interpreter, on a grid of the
 //! verifier's own. Nothing here knows how the surface was made: a method cannot grade itself.
 
+mod apex;
 mod contact;
 mod join;
 mod seam;
 
+pub use apex::{ApexDeviation, verify_apexes};
 pub use join::{JoinDeviation, verify_joins};
 pub use seam::{Edge, Line, SeamDeviation};
 

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use trimline::expr::{Notation, Variable};
 use trimline::problem::{Explanation, Patch, describe};
-use trimline::verify::{JoinDeviation, Verification, verify_joins};
+use trimline::verify::{ApexDeviation, JoinDeviation, Verification, verify_apexes, verify_joins};
 
 use crate::Outcome;
 use crate::failure::{Failure, Said, print_warnings};
@@ -70,6 +70,8 @@ struct PatchReport {
     method: &'static str,
     boundaries: Vec<Boundary>,
     joins: Vec<JoinReport>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    apexes: Vec<ApexReport>,
     pde_residual: f64,
     /// The instant at which the residual is that large.
     pde_residual_time: f64,
@@ -108,6 +110,17 @@ struct Boundary {
     v: Option<f64>,
     order: usize,
     max_error: f64,
+}
+
+/// A side that is a point.
+#[derive(Serialize)]
+struct ApexReport {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    u: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    v: Option<f64>,
+    /// By how much tangents leave one plane; null if they span none.
+    angle_degrees: Option<f64>,
 }
 
 /// A copy, of which holds what holds of its original.
@@ -201,6 +214,7 @@ fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Check
         };
         let mut worst: Option<Verification> = None;
         let mut joins: Option<Vec<JoinDeviation>> = None;
+        let mut apexes: Option<Vec<ApexDeviation>> = None;
         let mut method = "";
         let mut amplification: Option<f64> = None;
         let mut largest_residual = (0.0, times.first().copied().unwrap_or_default());
@@ -222,6 +236,10 @@ fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Check
                 Some(before) => before.into_iter().zip(&met).map(|(before, met)| before.worst(met)).collect(),
                 None => met,
             });
+            if patched.is_four_sided() {
+                let here = verify_apexes(&*solved.solution.surface, &patched.prepared.domain, time);
+                apexes = Some(worse_apexes(apexes, here.map_err(|finding| spec.fault(finding))?));
+            }
             worst = Some(match worst {
                 Some(before) => before.worst(&solved.measured),
                 None => solved.measured,
@@ -235,6 +253,7 @@ fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Check
             reports.push(PatchReport {
                 amplification,
                 joins,
+                apexes: apexes.unwrap_or_default().into_iter().map(apex_report).collect(),
                 explanation,
                 pde_residual_time: largest_residual.1,
                 ..report
@@ -250,6 +269,23 @@ fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Check
     };
     let open = if open.is_empty() { None } else { Some(Failure::found(&spec.source, open)) };
     Ok((reports, net_reports, copies, seams, open))
+}
+
+/// Those sides that are points at all instants so far, each at its worst.
+fn worse_apexes(before: Option<Vec<ApexDeviation>>, here: Vec<ApexDeviation>) -> Vec<ApexDeviation> {
+    let Some(before) = before else { return here };
+    let both = |known: ApexDeviation| {
+        let same = |other: &&ApexDeviation| other.across == known.across && other.position == known.position;
+        let other = here.iter().find(same)?;
+        Some(ApexDeviation { apex: known.apex.worst(other.apex), ..known })
+    };
+    before.into_iter().filter_map(both).collect()
+}
+
+fn apex_report(ApexDeviation { across, position, apex }: ApexDeviation) -> ApexReport {
+    let is_at_u = across == Variable::U;
+    let (u, v) = (is_at_u.then_some(position), (!is_at_u).then_some(position));
+    ApexReport { u, v, angle_degrees: apex.angle_degrees }
 }
 
 /// The instants at which seams are measured; `None` if there can be none.
@@ -296,6 +332,7 @@ fn patch_report(
         method,
         boundaries,
         joins: Vec::new(),
+        apexes: Vec::new(),
         pde_residual: worst.relative_residual(),
         pde_residual_time: 0.0,
         amplification: None,
@@ -332,6 +369,14 @@ fn text(report: &Report) -> String {
         }
         for join in &patch.joins {
             let _ = writeln!(text, "  {:20} {}", format!("{} at u = {}", join.surface, join.u), join_text(join));
+        }
+        for apex in &patch.apexes {
+            let (name, position) = apex.u.map_or(("v", apex.v.unwrap_or(f64::NAN)), |u| ("u", u));
+            let angle = match apex.angle_degrees {
+                Some(angle) => format!("tangents leave one plane by up to {}°", rounded(angle)),
+                None => "tangents span no plane".to_owned(),
+            };
+            let _ = writeln!(text, "  {:20} {angle}", format!("apex at {name} = {position}"));
         }
         let _ = writeln!(text, "  {:20} {}", "PDE residual", residual_text(patch));
     }

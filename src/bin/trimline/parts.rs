@@ -154,6 +154,7 @@ impl Spec {
             backend: Backend::Auto,
             limits: self.limits.clone(),
             settings: solving.settings(points)?,
+            ..Options::default()
         };
         prepare_net(&self.problem, net, &self.bindings, &options).map_err(|finding| match finding.span {
             None => solving.fault(points, finding),

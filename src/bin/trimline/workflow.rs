@@ -11,7 +11,7 @@ use trimline::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span};
 use trimline::eval::Backend;
 use trimline::expr::Derivative;
 use trimline::limits::Limits;
-use trimline::method::{Options, Settings, Solution};
+use trimline::method::{Known, Options, Settings, Solution};
 use trimline::problem::{Bindings, Net, Patch, PatchCopy, PrimarySurface, Problem};
 use trimline::resolve::{resolve, review, set_parameter};
 use trimline::syntax;
@@ -39,6 +39,8 @@ pub struct Spec {
     pub warnings: Diagnostics,
     /// Seconds from bytes to problem.
     pub parse_seconds: f64,
+    /// What patches have in common.
+    pub known: Known,
 }
 
 /// A patch that is ready to be solved at any instant, with its times.
@@ -98,7 +100,8 @@ impl Spec {
         let (problem, bindings) = with_values(problem, &source, &reading.set, &limits)?;
         let (patches, nets, copies) = (problem.patches.clone(), problem.nets.clone(), problem.copies.clone());
         let parse_seconds = start.elapsed().as_secs_f64();
-        Ok(Spec { source, limits, problem, bindings, patches, nets, copies, warnings, parse_seconds })
+        let known = Known::default();
+        Ok(Spec { source, limits, problem, bindings, patches, nets, copies, warnings, parse_seconds, known })
     }
 
     /// This spec with other values of params or coefficients, each `NAME=EXPR`.
@@ -151,7 +154,13 @@ impl Spec {
         let decomposition = self.decompose(patch)?;
         let decompose_seconds = start.elapsed().as_secs_f64();
         let start = Instant::now();
-        let options = Options { method, settings, backend: Backend::Auto, limits: self.limits.clone() };
+        let options = Options {
+            method,
+            settings,
+            backend: Backend::Auto,
+            limits: self.limits.clone(),
+            known: self.known.clone(),
+        };
         let prepared = Prepared::new(&self.problem, &self.bindings, decomposition, &options);
         let prepared = prepared.map_err(|finding| match finding.span {
             None => about_settings(finding),

@@ -6,6 +6,7 @@
 
 mod apex;
 mod corners;
+mod known;
 mod solver;
 mod system;
 mod weak_form;
@@ -21,6 +22,7 @@ use crate::limits::Limits;
 use crate::problem::{Patch, describe};
 use crate::surface::Basis;
 
+pub use known::Known;
 use solver::FourSidedSolver;
 use weak_form::weak_form;
 
@@ -118,6 +120,7 @@ impl Method for FourSided {
             boundary: patch.boundary_origin(),
             equation: patch.operator.origin,
             note,
+            known: options.known.clone(),
         }))
     }
 }

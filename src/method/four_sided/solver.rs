@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::DMatrix;
 
+use super::known::{Equations, Frame, Known};
 use super::system::System;
 use super::weak_form::{Part, Table, add_matrix, add_vector};
 use super::{FourSided, MORE_NODES, ORDER, ORDERS};
@@ -39,6 +40,8 @@ pub struct FourSidedSolver {
     /// Where the equation is written.
     pub equation: Option<Span>,
     pub note: Option<Diagnostic>,
+    /// What patches like this one have in common.
+    pub known: Known,
 }
 
 /// Where the last terms move the surface by more than this share of its size, the series has not settled.
@@ -50,46 +53,42 @@ const RESONANT: f64 = 1e10;
 /// Directions in which the symbol of the equation is looked at.
 const DIRECTIONS: usize = 64;
 
-/// The quadrature: a rule in u and one in v, and the coefficients of the weak form at its nodes, u-major.
-struct Quadrature {
-    nodes: [Vec<f64>; 2],
-    tables: [Table; 2],
-    /// By part and component.
-    coefficients: Vec<[Vec<f64>; 3]>,
-    /// By order in t and component.
-    force: Vec<[Vec<f64>; 3]>,
-}
+/// Values at all nodes of a frame, u-major, of the three components.
+type Sampled = [Vec<f64>; 3];
 
 impl Solver for FourSidedSolver {
     fn solve(&self, params: &[f64], ranges: [[f64; 2]; 2], t: f64) -> Result<Solution, Diagnostic> {
         self.check_positions(params, ranges)?;
         let sides = Arc::new(Sides { ranges, at_u: Arc::clone(&self.at_u), at_v: Arc::clone(&self.at_v) });
-        let modes = self.modes(ranges)?;
+        let frame = self.known.frame(self.terms, ranges, || self.frame(ranges))?;
+        let (coefficients, force) = self.sampled(&frame, params, t)?;
         let mut report = self.empty_report();
-        let quadrature = self.quadrature(&modes, params, ranges, t)?;
-        let size = self.data_size(&quadrature, params, ranges, t)?;
+        let size = self.data_size(&frame, params, t)?;
         let is_twisted = self.check_corners(&sides, params, size, t, &mut report)?;
         let mut surface = CoonsSurface {
             sides,
-            modes: modes.map(|modes| -> Arc<dyn Modes> { modes }),
+            modes: frame.modes.clone().map(|modes| -> Arc<dyn Modes> { modes }),
             params: params.to_vec(),
             is_twisted,
             corrections: Vec::new(),
             instant: None,
         };
         report.warnings.extend(self.apexes(params, ranges, size, t)?);
-        report.warnings.extend(self.ellipticity(&quadrature));
+        let equations = self.known.equations(&frame, (&self.parts, &coefficients), || {
+            let systems = self.systems(&frame, &coefficients)?;
+            let not_elliptic = self.not_elliptic(&frame, &coefficients);
+            Ok(Equations::new(&frame, (&self.parts, coefficients.clone()), systems, not_elliptic))
+        })?;
+        self.describe(&equations, &mut report);
         let [in_u, in_v] = self.terms;
-        let levels = quadrature.force.len();
-        let mut corrections: Vec<Coefficients> = vec![vec![[0.0; 3]; in_u * in_v]; levels];
-        let rights = self.rights(&quadrature, &surface, t)?;
-        for system in 0..if self.is_vector { 3 } else { 1 } {
-            let factorised = self.factorise(&quadrature, system, &mut report)?;
-            let components = if self.is_vector { system..system + 1 } else { 0..3 };
+        let mut corrections: Vec<Coefficients> = vec![vec![[0.0; 3]; in_u * in_v]; force.len()];
+        let rights = self.rights(&frame, (&coefficients, &force), &surface, t)?;
+        for (index, system) in equations.systems.iter().enumerate() {
+            let components = if self.is_vector { index..index + 1 } else { 0..3 };
             for component in components {
                 for (level, right) in corrections.iter_mut().zip(&rights) {
                     let Some(right) = right.get(component) else { continue };
-                    for (slot, value) in level.iter_mut().zip(factorised.solve(right).iter()) {
+                    for (slot, value) in level.iter_mut().zip(system.solve(right).iter()) {
                         if let Some(slot) = slot.get_mut(component) {
                             *slot = *value;
                         }
@@ -101,7 +100,7 @@ impl Solver for FourSidedSolver {
             let message = "the corrections of the four-sided patch are not finite";
             return Err(Diagnostic::new(Code::SolutionNotFinite, message).at(self.equation));
         }
-        report.warnings.extend(self.settling(&quadrature, corrections.first(), size));
+        report.warnings.extend(self.settling(&frame, corrections.first(), size));
         surface.corrections = corrections;
         surface.instant = self.varies_in_time.then_some(t);
         Ok(Solution { surface: Arc::new(surface), report })
@@ -136,13 +135,8 @@ impl FourSidedSolver {
         Ok([of(in_u, range_u)?, of(in_v, range_v)?])
     }
 
-    fn quadrature(
-        &self,
-        modes: &[Arc<CorrectedTrial>; 2],
-        params: &[f64],
-        ranges: [[f64; 2]; 2],
-        t: f64,
-    ) -> Result<Quadrature, Diagnostic> {
+    fn frame(&self, ranges: [[f64; 2]; 2]) -> Result<Frame, Diagnostic> {
+        let modes = self.modes(ranges)?;
         let [(u, table_u), (v, table_v)] = [0, 1].map(|axis| {
             let (Some(modes), Some(count), Some(range)) = (modes.get(axis), self.terms.get(axis), ranges.get(axis))
             else {
@@ -159,7 +153,14 @@ impl FourSidedSolver {
         });
         let all_u: Vec<f64> = u.iter().flat_map(|&u| v.iter().map(move |_| u)).collect();
         let all_v: Vec<f64> = u.iter().flat_map(|_| v.iter().copied()).collect();
-        let values = evaluate(&*self.values, params, (&all_u, &all_v), t)?;
+        let (tables, all) = ([table_u, table_v], [all_u, all_v]);
+        Ok(Frame { terms: self.terms, ranges, modes, nodes: [u, v], tables, all })
+    }
+
+    /// At the nodes, the coefficients of the weak form by part, and the force by order in t.
+    fn sampled(&self, frame: &Frame, params: &[f64], t: f64) -> Result<(Vec<Sampled>, Vec<Sampled>), Diagnostic> {
+        let [all_u, all_v] = &frame.all;
+        let values = evaluate(&*self.values, params, (all_u, all_v), t)?;
         if values.iter().any(|value| !value.is_finite()) {
             let message = "a coefficient or the force of the equation is not finite inside the patch";
             return Err(Diagnostic::new(Code::DataNotFinite, message).at(self.equation));
@@ -170,19 +171,12 @@ impl FourSidedSolver {
         });
         let levels = if self.varies_in_time { self.orders_in_t + 1 } else { 1 };
         let coefficients = vectors.by_ref().take(self.parts.len()).collect();
-        let force = vectors.take(levels).collect();
-        Ok(Quadrature { nodes: [u, v], tables: [table_u, table_v], coefficients, force })
+        Ok((coefficients, vectors.take(levels).collect()))
     }
 
     /// The largest position or tangent on the sides, tangents times the range they belong to.
-    fn data_size(
-        &self,
-        quadrature: &Quadrature,
-        params: &[f64],
-        ranges: [[f64; 2]; 2],
-        t: f64,
-    ) -> Result<f64, Diagnostic> {
-        let [u, v] = &quadrature.nodes;
+    fn data_size(&self, frame: &Frame, params: &[f64], t: f64) -> Result<f64, Diagnostic> {
+        let ([u, v], ranges) = (&frame.nodes, frame.ranges);
         let mut size = 0.0_f64;
         for (basis, along, [low, high]) in [(&self.at_u, v, ranges[0]), (&self.at_v, u, ranges[1])] {
             let values = basis.values(Derivative::NONE, params, along, &vec![t; along.len()])?;
@@ -194,67 +188,73 @@ impl FourSidedSolver {
         Ok(size)
     }
 
-    /// A warning where the leading part of the equation changes its sign with the direction.
-    fn ellipticity(&self, quadrature: &Quadrature) -> Option<Diagnostic> {
-        let [points_u, points_v] = quadrature.nodes.each_ref().map(Vec::len);
-        let leading: Vec<(i32, i32, &[Vec<f64>; 3])> = self
-            .parts
-            .iter()
-            .zip(&quadrature.coefficients)
-            .filter_map(|(part, coefficient)| {
-                let orders = [part.of_surface.u + part.of_test[0], part.of_surface.v + part.of_test[1]];
-                let exponents = orders.map(|order| i32::try_from(order).unwrap_or(i32::MAX));
-                (part.order() == ORDER).then_some((exponents[0], exponents[1], coefficient))
+    /// The first component in which the leading part of the equation changes its sign with the direction.
+    fn not_elliptic(&self, frame: &Frame, coefficients: &[Sampled]) -> Option<usize> {
+        let leading = || self.parts.iter().zip(coefficients).filter(|(part, _)| part.order() == ORDER);
+        let exponents = |part: &Part| {
+            let orders = [part.of_surface.u + part.of_test[0], part.of_surface.v + part.of_test[1]];
+            orders.map(|order| i32::try_from(order).unwrap_or(i32::MAX))
+        };
+        // What each part contributes, per unit of its coefficient, in each direction.
+        let directions: Vec<Vec<f64>> = (0..DIRECTIONS)
+            .map(|direction| {
+                let angle = std::f64::consts::PI * direction as f64 / DIRECTIONS as f64;
+                let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+                let power = |(part, _): (&Part, &Sampled)| {
+                    let [p, q] = exponents(part);
+                    cos.powi(p) * sin.powi(q)
+                };
+                leading().map(power).collect()
             })
             .collect();
-        for component in 0..3 {
-            for point in 0..points_u * points_v {
-                let symbol = |direction: usize| -> f64 {
-                    let angle = std::f64::consts::PI * direction as f64 / DIRECTIONS as f64;
-                    let (sin, cos) = (libm::sin(angle), libm::cos(angle));
-                    let value = |(p, q, all): &(i32, i32, &[Vec<f64>; 3])| {
-                        let coefficient = all.get(component).and_then(|values| values.get(point));
-                        coefficient.copied().unwrap_or(f64::NAN) * cos.powi(*p) * sin.powi(*q)
-                    };
-                    leading.iter().map(value).sum()
-                };
-                let start = symbol(0);
-                let is_elliptic = (0..DIRECTIONS).all(|direction| symbol(direction) * start > 0.0);
-                if !is_elliptic {
-                    let name = crate::problem::COMPONENTS.get(component).unwrap_or(&"?");
-                    let message = format!(
-                        "the equation for S_{name} is not elliptic everywhere, so data on all four sides need not fit it"
-                    );
-                    return Some(
-                        Diagnostic::new(Code::NotElliptic, message)
-                            .at(self.equation)
-                            .hint("β and λ of one sign, and γ above -2 sqrt(βλ), make the standard equation elliptic"),
-                    );
+        (0..3).find(|component| {
+            let mut before: Vec<f64> = Vec::new();
+            (0..frame.all[0].len()).any(|point| {
+                let at = |all: &Sampled| all.get(*component).and_then(|values| values.get(point)).copied();
+                let here: Vec<f64> = leading().map(|(_, all)| at(all).unwrap_or(f64::NAN)).collect();
+                // Coefficients are the same almost everywhere.
+                if here == before {
+                    return false;
                 }
-            }
-        }
-        None
+                let symbol = |powers: &Vec<f64>| powers.iter().zip(&here).map(|(a, b)| a * b).sum::<f64>();
+                let start = directions.first().map_or(f64::NAN, symbol);
+                let is_elliptic = directions.iter().all(|powers| symbol(powers) * start > 0.0);
+                before = here;
+                !is_elliptic
+            })
+        })
+    }
+
+    /// A warning about an equation that is not elliptic.
+    fn ellipticity(&self, component: usize) -> Diagnostic {
+        let name = crate::problem::COMPONENTS.get(component).unwrap_or(&"?");
+        let message =
+            format!("the equation for S_{name} is not elliptic everywhere, so data on all four sides need not fit it");
+        Diagnostic::new(Code::NotElliptic, message)
+            .at(self.equation)
+            .hint("β and λ of one sign, and γ above -2 sqrt(βλ), make the standard equation elliptic")
     }
 
     /// The right-hand sides by derivative in t and component.
     fn rights(
         &self,
-        quadrature: &Quadrature,
+        frame: &Frame,
+        (coefficients, force): (&[Sampled], &[Sampled]),
         coons: &CoonsSurface,
         t: f64,
     ) -> Result<Vec<[DMatrix<f64>; 3]>, Diagnostic> {
-        let [u, v] = &quadrature.nodes;
-        let [table_u, table_v] = &quadrature.tables;
+        let [u, v] = &frame.nodes;
+        let [table_u, table_v] = &frame.tables;
         let tables = [table_u, table_v];
         let unknowns = self.terms.iter().product();
-        let mut all = Vec::with_capacity(quadrature.force.len());
-        for (order, force) in quadrature.force.iter().enumerate() {
+        let mut all = Vec::with_capacity(force.len());
+        for (order, force) in force.iter().enumerate() {
             let mut rights = [(); 3].map(|()| DMatrix::zeros(unknowns, 1));
             for (right, force) in rights.iter_mut().zip(force) {
                 add_vector(right, [0, 0], tables, force);
             }
             let mut values = vec![[0.0; 3]; u.len() * v.len()];
-            for (part, coefficients) in self.parts.iter().zip(&quadrature.coefficients) {
+            for (part, coefficients) in self.parts.iter().zip(coefficients) {
                 let derivative = Derivative { t: part.of_surface.t + order, ..part.of_surface };
                 coons.evaluate_grid(derivative, (u, v, t), &mut values)?;
                 for (component, (right, factors)) in rights.iter_mut().zip(coefficients).enumerate() {
@@ -269,45 +269,57 @@ impl FourSidedSolver {
         Ok(all)
     }
 
-    /// The factorised equations of one component.
-    fn factorise(&self, quadrature: &Quadrature, component: usize, report: &mut Report) -> Result<System, Diagnostic> {
+    /// The factorised equations of each component, or of all of them.
+    fn systems(&self, frame: &Frame, coefficients: &[Sampled]) -> Result<Vec<System>, Diagnostic> {
+        let count = if self.is_vector { 3 } else { 1 };
+        (0..count).map(|component| self.factorise(frame, coefficients, component)).collect()
+    }
+
+    fn factorise(&self, frame: &Frame, coefficients: &[Sampled], component: usize) -> Result<System, Diagnostic> {
         let unknowns: usize = self.terms.iter().product();
-        let [table_u, table_v] = &quadrature.tables;
+        let [table_u, table_v] = &frame.tables;
         let mut matrix = DMatrix::zeros(unknowns, unknowns);
         let mut lower = DMatrix::zeros(unknowns, unknowns);
         // Derivatives in t act on the data alone: the corrections of an instant are taken as constant in time.
-        let parts = self.parts.iter().zip(&quadrature.coefficients).filter(|(part, _)| part.of_surface.t == 0);
+        let parts = self.parts.iter().zip(coefficients).filter(|(part, _)| part.of_surface.t == 0);
         for (part, coefficients) in parts {
             let total = if part.order() == ORDER { &mut matrix } else { &mut lower };
             if let Some(coefficient) = coefficients.get(component) {
                 add_matrix(total, part, [table_u, table_v], coefficient);
             }
         }
-        let system = System::new(matrix, &lower).filter(|system| system.amplification <= RESONANT);
-        let Some(system) = system else {
+        System::new(matrix, &lower).filter(|system| system.amplification <= RESONANT).ok_or_else(|| {
             let message = "the equation is resonant on these four sides: it has no reliable solution";
-            return Err(Diagnostic::new(Code::Resonant, message)
+            Diagnostic::new(Code::Resonant, message)
                 .at(self.equation)
-                .hint("change a coefficient of the equation, or the ranges of u and v"));
-        };
-        let factor = system.amplification;
-        if factor >= SILENT {
-            let code = if factor < NOTABLE { Code::Amplified } else { Code::NearlyResonant };
-            let error = factor * f64::EPSILON;
-            let message = format!("the equation amplifies {factor:.1e} times; expect a relative error of {error:.1e}");
-            report.warnings.push(Diagnostic::new(code, message).at(self.equation));
+                .hint("change a coefficient of the equation, or the ranges of u and v")
+        })
+    }
+
+    /// What there is to say about the equations.
+    fn describe(&self, equations: &Equations, report: &mut Report) {
+        report.warnings.extend(equations.not_elliptic.map(|component| self.ellipticity(component)));
+        let unknowns: usize = self.terms.iter().product();
+        for system in &equations.systems {
+            let factor = system.amplification;
+            if factor >= SILENT {
+                let code = if factor < NOTABLE { Code::Amplified } else { Code::NearlyResonant };
+                let error = factor * f64::EPSILON;
+                let message =
+                    format!("the equation amplifies {factor:.1e} times; expect a relative error of {error:.1e}");
+                report.warnings.push(Diagnostic::new(code, message).at(self.equation));
+            }
+            report.condition = report.condition.map(|most| most.max(system.condition));
+            report.amplification = report.amplification.map(|most| most.max(factor));
+            report.rank += unknowns;
+            report.unknowns += unknowns;
         }
-        report.condition = report.condition.map(|most| most.max(system.condition()));
-        report.amplification = report.amplification.map(|most| most.max(factor));
-        report.rank += unknowns;
-        report.unknowns += unknowns;
-        Ok(system)
     }
 
     /// A warning where the last two terms in u or in v still move the surface.
-    fn settling(&self, quadrature: &Quadrature, corrections: Option<&Coefficients>, size: f64) -> Option<Diagnostic> {
+    fn settling(&self, frame: &Frame, corrections: Option<&Coefficients>, size: f64) -> Option<Diagnostic> {
         let [in_u, in_v] = self.terms;
-        let [table_u, table_v] = &quadrature.tables;
+        let [table_u, table_v] = &frame.tables;
         let (values_u, values_v) = (table_u.values.first()?, table_v.values.first()?);
         let mut moved = 0.0_f64;
         for component in 0..3 {

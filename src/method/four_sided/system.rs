@@ -8,6 +8,8 @@ use crate::numeric::LinearSystem;
 pub struct System {
     /// How much larger solutions can be than those of the terms of highest order alone; 1 without other terms.
     pub amplification: f64,
+    /// The condition of the scaled matrix, estimated.
+    pub condition: f64,
     factors: Vec<f64>,
     factorised: LinearSystem,
 }
@@ -22,16 +24,11 @@ impl System {
         let scale = |entry: &f64| if *entry == 0.0 { 1.0 } else { 1.0 / libm::sqrt(entry.abs()) };
         let factors: Vec<f64> = leading.diagonal().iter().map(scale).collect();
         let factorised = LinearSystem::new(scaled(matrix, &factors))?;
-        let mut system = System { amplification: 1.0, factors, factorised };
+        let mut system = System { amplification: 1.0, condition: factorised.condition(), factors, factorised };
         if lower.iter().any(|entry| *entry != 0.0) {
             system.amplification = system.amplification_of(&scaled(leading, &system.factors));
         }
         Some(system)
-    }
-
-    /// The condition of the scaled matrix, estimated.
-    pub fn condition(&self) -> f64 {
-        self.factorised.condition()
     }
 
     /// The corrections for right-hand sides.
