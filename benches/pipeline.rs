@@ -114,5 +114,43 @@ fn nets(criterion: &mut Criterion) {
     criterion.bench_function("fill a net of 501x501", |b| b.iter(|| fill(&knots, &knots, black_box(&layers))));
 }
 
-criterion_group!(benches, stages, long_documents, nets);
+/// A model of 100 patches with data on four sides: 25 loops of four bowed edges, which move.
+fn model_of_loops() -> String {
+    let mut text = "param k = 1\n".to_owned();
+    for index in 0..25 {
+        let (x, y) = (3 * (index % 5), 3 * (index / 5));
+        let corners = [(x, y), (x + 2, y), (x + 2, y + 2), (x, y + 2), (x, y)];
+        text += &format!("nsided hole{index} {{\n");
+        for (edge, pair) in corners.windows(2).enumerate() {
+            if let [(a, b), (c, d)] = pair {
+                let sag = f64::from(edge as u32 + 1) * 0.1;
+                text += &format!("edge [{a} (1 - u) + {c} u, {b} (1 - u) + {d} u, {sag} k u (1 - u) (1 + t)]\n");
+            }
+        }
+        text += "}\n";
+    }
+    text
+}
+
+/// Compiles, solves and judges a whole model at three instants, as `check` does at nine.
+fn models(criterion: &mut Criterion) {
+    let source = Source::new("model", model_of_loops());
+    let mut group = criterion.benchmark_group("model of 100 patches");
+    group.sample_size(10);
+    group.bench_function("compile, solve and judge at 3 instants", |b| {
+        b.iter(|| -> Result<(), Diagnostics> {
+            let blend = Blend::compile(black_box(&source), &Options::default())?;
+            for prepared in &blend.patches {
+                for t in [0.0, 0.4, 1.0] {
+                    let solved = prepared.solve_judged(&blend.problem, &blend.bindings, t);
+                    black_box(solved.map_err(|finding| vec![finding])?);
+                }
+            }
+            Ok(())
+        });
+    });
+    group.finish();
+}
+
+criterion_group!(benches, stages, long_documents, nets, models);
 criterion_main!(benches);

@@ -5,7 +5,7 @@
 //! Nodes are only made by the constructors in [`simplify`](super::simplify), so every node is in canonical form.
 
 use indexmap::IndexSet;
-use rustc_hash::{FxBuildHasher, FxHashSet};
+use rustc_hash::{FxBuildHasher, FxHashMap, FxHashSet};
 
 use super::function::Function;
 use super::number::Number;
@@ -118,6 +118,8 @@ pub struct Graph {
     operands: usize,
     /// Operands merged so far.
     work: usize,
+    /// Derivatives that were taken: another order, or a function with a part in common, starts from them.
+    pub(super) derivatives: FxHashMap<(ExprId, Variable), ExprId>,
 }
 
 impl Default for Graph {
@@ -136,6 +138,7 @@ impl Graph {
             symbols: IndexSet::default(),
             operands: 0,
             work: 0,
+            derivatives: FxHashMap::default(),
         };
         // Made first so that they come first wherever canonical order is id order: `1 - t`, `t sin(v)`.
         for value in [1, 0, -1] {

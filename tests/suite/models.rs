@@ -156,6 +156,24 @@ at u = 1: apex
     let tilted = trimline(&["check", &folder.spec(octant.replace("LIFT", "0.3 u^2 (1 - u)"))]);
     let said = text(&tilted.stderr);
     assert!(said.contains("W0708") && said.contains("degrees out of one plane"), "{said}");
+    // At the apex ∂S/∂u is the cubic of v between the tangents of both sides, with the slopes that ∂S/∂v has there.
+    let angle = |v: f64| {
+        let (half, slope) = (std::f64::consts::FRAC_PI_2, std::f64::consts::PI.powi(2) / 4.0);
+        let (smooth, first, last) = (3.0 * v * v - 2.0 * v.powi(3), v * (1.0 - v).powi(2), v * v * (v - 1.0));
+        let (x, y, z) = (-half * (1.0 - smooth) + slope * last, -half * smooth - slope * first, -0.3 * last);
+        (z / x.hypot(y)).atan().to_degrees().abs()
+    };
+    let expected = (0..=60).map(|step| angle(f64::from(step) / 60.0)).fold(0.0, f64::max);
+    for (lift, expected, tolerance) in [("0", 0.0, 1e-9), ("0.3 u^2 (1 - u)", expected, 1e-9)] {
+        let spec = folder.spec(octant.replace("LIFT", lift));
+        let report: Value =
+            serde_json::from_str(&done(&trimline(&["check", &spec, "--format", "json"]))).expect("JSON");
+        let apexes = report["patches"][0]["apexes"].as_array().expect("a list");
+        assert_eq!((apexes.len(), &apexes[0]["u"]), (1, &Value::from(1.0)), "{apexes:?}");
+        let found = apexes[0]["angle_degrees"].as_f64().expect("a plane");
+        assert!((found - expected).abs() <= tolerance, "{found} {expected}");
+        assert!(done(&trimline(&["check", &spec])).contains("apex at u = 1        tangents leave one plane by up to "));
+    }
 }
 
 /// A bent blade that moves, with two copies of different kinds.

@@ -236,10 +236,8 @@ fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Check
                 Some(before) => before.into_iter().zip(&met).map(|(before, met)| before.worst(met)).collect(),
                 None => met,
             });
-            if patched.is_four_sided() {
-                let here = verify_apexes(&*solved.solution.surface, &patched.prepared.domain, time);
-                apexes = Some(worse_apexes(apexes, here.map_err(|finding| spec.fault(finding))?));
-            }
+            let here = verify_apexes(&spec.problem, patched.prepared.patch(), &*solved.solution.surface, at);
+            apexes = Some(worse_apexes(apexes, here.map_err(|finding| spec.fault(finding))?));
             worst = Some(match worst {
                 Some(before) => before.worst(&solved.measured),
                 None => solved.measured,

@@ -19,6 +19,8 @@ pub struct Frame {
     pub ranges: [[f64; 2]; 2],
     /// The four cubic Hermite functions and the corrections of each coordinate.
     pub modes: [Arc<CorrectedTrial>; 2],
+    /// The cubic Hermite functions alone.
+    pub hermite: [Arc<CorrectedTrial>; 2],
     /// The nodes of the rule in u and of that in v.
     pub nodes: [Vec<f64>; 2],
     pub tables: [Table; 2],

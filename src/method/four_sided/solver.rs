@@ -67,7 +67,7 @@ impl Solver for FourSidedSolver {
         let is_twisted = self.check_corners(&sides, params, size, t, &mut report)?;
         let mut surface = CoonsSurface {
             sides,
-            modes: frame.modes.clone().map(|modes| -> Arc<dyn Modes> { modes }),
+            modes: frame.hermite.clone().map(|modes| -> Arc<dyn Modes> { modes }),
             params: params.to_vec(),
             is_twisted,
             corrections: Vec::new(),
@@ -101,6 +101,7 @@ impl Solver for FourSidedSolver {
             return Err(Diagnostic::new(Code::SolutionNotFinite, message).at(self.equation));
         }
         report.warnings.extend(self.settling(&frame, corrections.first(), size));
+        surface.modes = frame.modes.clone().map(|modes| -> Arc<dyn Modes> { modes });
         surface.corrections = corrections;
         surface.instant = self.varies_in_time.then_some(t);
         Ok(Solution { surface: Arc::new(surface), report })
@@ -120,8 +121,8 @@ impl FourSidedSolver {
         Err(Diagnostic::new(Code::UnsupportedByMethod, message).at(self.boundary))
     }
 
-    /// The four cubic Hermite functions and the corrections of each coordinate.
-    fn modes(&self, ranges: [[f64; 2]; 2]) -> Result<[Arc<CorrectedTrial>; 2], Diagnostic> {
+    /// The four cubic Hermite functions of each coordinate, and as many corrections as `terms`.
+    fn modes(&self, terms: [usize; 2], ranges: [[f64; 2]; 2]) -> Result<[Arc<CorrectedTrial>; 2], Diagnostic> {
         let of = |count: usize, range: [f64; 2]| {
             let [low, high] = range;
             let functionals: Vec<(f64, usize)> = [low, low, high, high].into_iter().zip(ORDERS).collect();
@@ -131,12 +132,12 @@ impl FourSidedSolver {
                 Diagnostic::new(Code::DependentConstraints, message).at(self.boundary)
             })
         };
-        let ([in_u, in_v], [range_u, range_v]) = (self.terms, ranges);
+        let ([in_u, in_v], [range_u, range_v]) = (terms, ranges);
         Ok([of(in_u, range_u)?, of(in_v, range_v)?])
     }
 
     fn frame(&self, ranges: [[f64; 2]; 2]) -> Result<Frame, Diagnostic> {
-        let modes = self.modes(ranges)?;
+        let (modes, hermite) = (self.modes(self.terms, ranges)?, self.modes([0, 0], ranges)?);
         let [(u, table_u), (v, table_v)] = [0, 1].map(|axis| {
             let (Some(modes), Some(count), Some(range)) = (modes.get(axis), self.terms.get(axis), ranges.get(axis))
             else {
@@ -154,7 +155,7 @@ impl FourSidedSolver {
         let all_u: Vec<f64> = u.iter().flat_map(|&u| v.iter().map(move |_| u)).collect();
         let all_v: Vec<f64> = u.iter().flat_map(|_| v.iter().copied()).collect();
         let (tables, all) = ([table_u, table_v], [all_u, all_v]);
-        Ok(Frame { terms: self.terms, ranges, modes, nodes: [u, v], tables, all })
+        Ok(Frame { terms: self.terms, ranges, modes, hermite, nodes: [u, v], tables, all })
     }
 
     /// At the nodes, the coefficients of the weak form by part, and the force by order in t.
