@@ -111,16 +111,20 @@ impl Lowering<'_> {
             }
             Kind::Application(name, arguments) => self.application(name, arguments, known, span),
             Kind::Call(function, arguments) => {
+                self.refuse_applied_factor(function.row().name, arguments, span)?;
                 let values = self.scalars(arguments, known)?;
                 if values.len() != function.arity() {
                     return Err(wrong_arity(function.row().name, function.arity(), values.len(), span));
                 }
                 Ok(scalar(self.graph.call(*function, &values)))
             }
-            Kind::SquareRoot(arguments) => match self.scalars(arguments, known)?.as_slice() {
-                [only] => Ok(scalar(self.graph.sqrt(*only))),
-                values => Err(wrong_arity("sqrt", 1, values.len(), span)),
-            },
+            Kind::SquareRoot(arguments) => {
+                self.refuse_applied_factor("sqrt", arguments, span)?;
+                match self.scalars(arguments, known)?.as_slice() {
+                    [only] => Ok(scalar(self.graph.sqrt(*only))),
+                    values => Err(wrong_arity("sqrt", 1, values.len(), span)),
+                }
+            }
             Kind::Sum(terms) => self.sum(terms, known, span),
             Kind::Product(factors) => self.product(factors, known, span),
             Kind::Power(base, exponent) => self.power(*base, *exponent, known),
@@ -134,6 +138,31 @@ impl Lowering<'_> {
                 Ok(Form::of(Value::Vector(components)))
             }
         }
+    }
+
+    /// Refuses `sin a (1 - t)` where a is no function: the bracket may be part of the argument or stand behind it. Only
+    /// now is it known what the name means; for u, v and t the parser does the same.
+    fn refuse_applied_factor(&self, function: &str, arguments: &[Expression], call: Span) -> Result<(), Diagnostic> {
+        let [argument] = arguments else { return Ok(()) };
+        let argument = self.tree.node(*argument);
+        let is_bare = argument.span.end == call.end;
+        let Kind::Product(factors) = &argument.kind else { return Ok(()) };
+        for (_, factor) in factors.iter().filter(|_| is_bare) {
+            let applied = match self.tree.node(*factor).kind {
+                Kind::Power(base, _) => self.tree.node(base),
+                _ => self.tree.node(*factor),
+            };
+            let Kind::Application(name, _) = &applied.kind else { continue };
+            let is_factor = match self.scope.meaning(&name.text) {
+                Some(Meaning::Function(..)) | None => false,
+                // `2π(v + 1)` is one angle.
+                Some(_) => name.text != "pi",
+            };
+            if is_factor && self.surface(&name.text).is_none() {
+                return Err(ambiguous_bracket(function, &name.text).at(call));
+            }
+        }
+        Ok(())
     }
 
     fn name(&mut self, name: &Name) -> Result<Form, Diagnostic> {
@@ -379,6 +408,13 @@ fn wrong_arity(name: &str, expected: usize, found: usize, span: Span) -> Diagnos
     let plural = if expected == 1 { "" } else { "s" };
     let message = format!("`{name}` takes {expected} argument{plural}, found {found}");
     Diagnostic::new(Code::WrongArity, message).at(span)
+}
+
+fn ambiguous_bracket(function: &str, factor: &str) -> Diagnostic {
+    let message = format!("`{function} … {factor}(…)` can be read in two ways, since `{factor}` is no function");
+    Diagnostic::new(Code::AmbiguousExpression, message)
+        .marked(format!("does the bracket after `{factor}` belong to the argument of `{function}`?"))
+        .hint(format!("write `{function}({factor}*(…))` if it does, `{function}({factor})*(…)` if it does not"))
 }
 
 /// The walk visits parts first, so a part is never missing.

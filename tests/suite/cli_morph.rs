@@ -207,3 +207,23 @@ fn bad_requests_have_their_status_and_leave_nothing() {
         assert!(output.stdout.is_empty(), "{options:?}");
     }
 }
+
+#[test]
+fn check_refuses_a_stated_morph_of_shapes_that_do_not_correspond() {
+    let patch = |name: &str, last: &str| {
+        format!(
+            "patch {name} {{\ndomain u in [0, {last}]\nat u = 0: S = [cos v, sin v, 0]\nat u = {last}: S = [cos v, sin v, 1]\n}}\n"
+        )
+    };
+    let spec =
+        |last: &str| format!("pde ∂²S/∂u² + ∂²S/∂v² = 0\nmorph from p to q\n{}{}", patch("p", "1"), patch("q", last));
+    let folder = Folder::new();
+    let [same, other] = [("same.trim", "1"), ("other.trim", "2")].map(|(name, last)| {
+        std::fs::write(folder.path(name), spec(last)).expect("written");
+        folder.path(name).to_string_lossy().into_owned()
+    });
+    assert_eq!(status(&trimline(&["check", &same])), 0);
+    let refused = trimline(&["check", &other]);
+    assert_eq!(status(&refused), 1);
+    assert!(text(&refused.stderr).contains("E0220"), "{}", text(&refused.stderr));
+}

@@ -11,12 +11,17 @@ use trimline::method::{Options, Solution};
 
 use crate::spec::at;
 
-/// An ellipse at unevenly spaced points, as a file.
-fn ellipse(count: usize) -> String {
+/// A ring at unevenly spaced points, as a file.
+fn ring(count: usize) -> String {
+    circle(count, 2.0, 0.4)
+}
+
+/// A circle at points whose distances differ by a factor of (1 + s)/(1 - s).
+fn circle(count: usize, radius: f64, s: f64) -> String {
     let row = |index: usize| {
         let v = TAU * index as f64 / count as f64;
-        let v = v + 0.4 * libm::sin(v);
-        format!("{:?},{:?},{:?}\n", 2.0 * libm::cos(v), 2.0 * libm::sin(v), 0.5)
+        let v = v + s * libm::sin(v);
+        format!("{:?},{:?},{:?}\n", radius * libm::cos(v), radius * libm::sin(v), 0.5)
     };
     (0..count).map(row).collect()
 }
@@ -55,7 +60,7 @@ fn surface_on_measured_points_is_that_on_the_curve_they_lie_on() {
     // equation takes its fourth derivative, within 1e-3, into a surface within a thousandth of that.
     for (method, tolerance) in [("fourier", 2e-7), ("legendre", 1e-6)] {
         let exact = solved(&closed_form, "", "exact");
-        let found = solved(&measured("C(v)"), &ellipse(128), method);
+        let found = solved(&measured("C(v)"), &ring(128), method);
         for (u, v) in [(0.0, 0.3), (0.25, 1.0), (0.5, 2.5), (0.75, 4.0), (1.0, 6.2)] {
             for letters in ["", "u", "v"] {
                 let pair = [&exact, &found].map(|solution| at(&*solution.surface, letters, [u, v, 0.0]));
@@ -67,9 +72,24 @@ fn surface_on_measured_points_is_that_on_the_curve_they_lie_on() {
     }
 }
 
+/// The figures of docs/methods.md, rounded up.
+#[test]
+fn points_of_a_circle_give_the_circle_to_sixth_order() {
+    for (count, bound) in [(32, 4.5e-8), (64, 6.8e-10), (128, 1.1e-11)] {
+        let surface = solved(&measured("C(v)"), &circle(count, 1.0, 0.5), "fourier").surface;
+        let miss = |index: u32| {
+            let v = f64::from(index) * TAU / 1000.0;
+            let [x, y, _] = at(&*surface, "", [0.0, v, 0.0]);
+            libm::hypot(x - libm::cos(v), y - libm::sin(v))
+        };
+        let most = (0..1000).map(miss).fold(0.0, f64::max);
+        assert!(most <= bound && most > bound / 2.0, "{count} points: {most:e}");
+    }
+}
+
 #[test]
 fn curve_stands_in_expressions_with_components_derivatives_and_any_argument() {
-    let data = ellipse(128);
+    let data = ring(128);
     let text = measured("C(v + 0.5) + [0, C_x(2v), ∂C_y(v)/∂v - ∂²C_x(-v)/∂v²]");
     let found = at(&*solved(&text, &data, "fourier").surface, "", [0.0, 0.7, 0.0]);
     let (sin, cos) = (libm::sin, libm::cos);
@@ -81,10 +101,10 @@ fn curve_stands_in_expressions_with_components_derivatives_and_any_argument() {
 
 #[test]
 fn exact_says_that_a_measured_curve_has_no_finite_closure() {
-    let found = compiled(&measured("C(v)"), &ellipse(12), "exact").err().expect("refused");
+    let found = compiled(&measured("C(v)"), &ring(12), "exact").err().expect("refused");
     assert_eq!(found[0].code, Code::UnsupportedByMethod);
     assert!(found[0].message.contains("`C_x(v)` has no finite closure"), "{found:?}");
-    let auto = compiled(&measured("C(v)"), &ellipse(12), "auto").expect("another method");
+    let auto = compiled(&measured("C(v)"), &ring(12), "auto").expect("another method");
     assert_eq!(auto.solve(0, 0.0).expect("solved").report.method, "fourier");
 }
 
@@ -92,7 +112,7 @@ fn exact_says_that_a_measured_curve_has_no_finite_closure() {
 fn derivative_above_the_fourth_is_refused_and_the_series_needs_none() {
     let sixth = "pde d6S/du6 + d6S/dv6 = 0\ncurve C = points(\"ring.csv\")\n\
         at u = 0: S = C(v), dS/du = 0, d2S/du2 = 0\nat u = 1: S = [cos v, sin v, 1], dS/du = 0, d2S/du2 = 0\n";
-    let blend = compiled(sixth, &ellipse(12), "legendre").map(|blend| blend.solve(0, 0.0).err());
+    let blend = compiled(sixth, &ring(12), "legendre").map(|blend| blend.solve(0, 0.0).err());
     let found = match blend {
         Err(found) => found[0].clone(),
         Ok(found) => found.expect("refused"),
@@ -103,7 +123,7 @@ fn derivative_above_the_fourth_is_refused_and_the_series_needs_none() {
 
 #[test]
 fn text_of_a_curve_and_its_derivatives_reads_back_as_the_same_expression() {
-    let data = ellipse(12);
+    let data = ring(12);
     for notation in [Notation::Ascii, Notation::Unicode, Notation::Latex] {
         let text = measured("[C_x(v), 2 t ∂²C_y(2v + 1)/∂v² + (∂C_x(v)/∂v)², 3/C_z(v)²]");
         let first = compiled(&text, &data, "fourier").expect("a problem").problem;
@@ -133,7 +153,7 @@ fn faults_of_a_data_file_name_its_row_and_column() {
 
 #[test]
 fn last_point_that_repeats_the_first_closes_the_curve() {
-    let open = ellipse(24);
+    let open = ring(24);
     let first = open.lines().next().expect("a row").to_owned();
     let text = measured("C(v)");
     let [a, b] = [open.clone(), format!("{open}{first}\n")]

@@ -123,6 +123,19 @@ solve sine, points = 11 x 11
     assert!(laid_out(&with_data("2πt − v·(1 − t)⁻²"), Alphabet::Ascii).contains("[2pi t - v*(1 - t)^-2, 0, 0]"));
 }
 
+/// `dh0(1 - t)/dr1` is a quotient of two params, unless `h0` is a surface of the document.
+#[test]
+fn derivatives_in_parameters_of_declared_surfaces_are_spelled_too() {
+    let unicode = "surface hull(p, q₁) = [cos(q₁), p, 0]
+param dh₀ = 1, dr₁ = 2
+at u = 0: S = hull(1, v), ∂S/∂u = ∂hull(1, v)/∂p
+at u = 1: S = ∂²hull(1, v)/∂p ∂q₁, ∂S/∂u = [dh₀(1 - t)/dr₁, 0, 0]
+";
+    let ascii = laid_out(unicode, Alphabet::Ascii);
+    assert!(ascii.contains("dhull(1, v)/dp") && ascii.is_ascii(), "{ascii}");
+    assert_eq!(laid_out(&ascii, Alphabet::Unicode), unicode);
+}
+
 #[test]
 fn text_that_does_not_parse_is_not_laid_out() {
     let found = syntax::format(&Source::new("spec", "at u = 0: S_x = +"), Alphabet::Kept, &Limits::default());

@@ -6,6 +6,7 @@ use clap::Args;
 use serde::Serialize;
 
 use trimline::expr::{Notation, Variable};
+use trimline::morph::{ends, interpolate};
 use trimline::problem::{Explanation, Patch, describe};
 use trimline::verify::{ApexDeviation, JoinDeviation, Verification, verify_apexes, verify_joins};
 
@@ -192,6 +193,10 @@ fn angles(report: &Report) -> impl Iterator<Item = Option<f64>> {
 fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Checked, Failure> {
     let spec = Spec::read(path, &arguments.solving.reading)?;
     print_warnings(&spec.warnings, &spec.source, terminal);
+    // A stated morph that cannot be made is a fault of the spec, though its patches are sound.
+    if let Some([source, target]) = ends(&spec.problem) {
+        interpolate(&source, &target, &spec.limits).map_err(|finding| spec.fault(finding))?;
+    }
     let mut reports = Vec::new();
     let parts = spec.parts(&arguments.solving, arguments.collocation.points.as_deref())?;
     let (mut net_reports, mut copies) = (Vec::new(), Vec::new());

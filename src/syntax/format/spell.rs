@@ -19,6 +19,7 @@ pub fn respell(lines: &mut [Line<'_>], alphabet: Alphabet) {
         return;
     }
     let mut has_names = true;
+    let surfaces: Vec<String> = lines.iter().filter_map(surface_name).collect();
     for line in lines {
         let first = line.tokens.first().filter(|first| first.kind == Kind::Word).map(|first| first.text.to_string());
         if let Some(word) = first.filter(|word| RESERVED_WORDS.contains(&word.as_str()) && word != "with") {
@@ -27,12 +28,20 @@ pub fn respell(lines: &mut [Line<'_>], alphabet: Alphabet) {
         if has_names {
             match alphabet {
                 Alphabet::Ascii => to_ascii(&mut line.tokens),
-                _ => to_unicode(&mut line.tokens),
+                _ => to_unicode(&mut line.tokens, &surfaces),
             }
             keep_apart(&mut line.tokens);
         } else if alphabet == Alphabet::Ascii {
             line.tokens.iter_mut().filter(|token| token.is("×")).for_each(|token| token.text = "x".into());
         }
+    }
+}
+
+/// The name that a line `surface NAME(…) = …` declares.
+fn surface_name(line: &Line<'_>) -> Option<String> {
+    match line.tokens.as_slice() {
+        [statement, name, ..] if statement.is("surface") => Some(canonical_name(&name.text)),
+        _ => None,
     }
 }
 
@@ -78,13 +87,14 @@ fn multiply_brackets(tokens: &mut Vec<Token<'_>>) {
     *tokens = spelled;
 }
 
-/// `∂u²∂v²` as `du2dv2`, `∂²S₁` as `d2S1`
+/// `∂u²∂v²` as `du2dv2`, `∂²S₁` as `d2S1`, `∂p∂q` as `dp dq`: a name goes on with the letters that follow.
 fn ascii_derivative(text: &str) -> String {
     let part = |part: &str| {
         let plain = digits(part);
         if plain.is_ascii() { plain } else { canonical_name(&plain) }
     };
-    text.split('∂').map(part).collect::<Vec<_>>().join("d")
+    let parts: Vec<String> = text.split('∂').map(part).collect();
+    parts.join(if is_below(text) { "d" } else { " d" }).trim_start().to_owned()
 }
 
 /// `b₁²` as `b1^2`
@@ -112,8 +122,8 @@ fn superscript(text: &str) -> String {
     text.chars().map(raised).collect()
 }
 
-fn to_unicode(tokens: &mut Vec<Token<'_>>) {
-    spell_derivatives(tokens);
+fn to_unicode(tokens: &mut Vec<Token<'_>>, surfaces: &[String]) {
+    spell_derivatives(tokens, surfaces);
     raise_exponents(tokens);
     for sign in tokens.iter_mut().filter(|token| token.kind == Kind::Sign && !token.text.is_ascii()) {
         sign.text = Cow::Borrowed("-");
@@ -131,10 +141,11 @@ fn to_unicode(tokens: &mut Vec<Token<'_>>) {
     }
 }
 
-/// `d4S/du2dv2` as `∂⁴S/∂u²∂v²`, also with `(u, v, t)` before the bar; `dS1(u1, v, t)/du`, of a primary surface, too.
-fn spell_derivatives(tokens: &mut [Token<'_>]) {
+/// `d4S/du2dv2` as `∂⁴S/∂u²∂v²`, also with `(u, v, t)` before the bar; `dS1(u1, v, t)/du`, of a primary surface, too, and
+/// `dA(1, v)/dp` in a parameter of one that the document declares.
+fn spell_derivatives(tokens: &mut [Token<'_>], surfaces: &[String]) {
     for above in 0..tokens.len() {
-        let Some((below, has_arguments)) = below_of(tokens, above) else { continue };
+        let Some((below, has_arguments)) = below_of(tokens, above, surfaces) else { continue };
         let Some(spelled) = tokens.get(above).and_then(|token| unicode_above(&token.text, has_arguments)) else {
             continue;
         };
@@ -143,14 +154,28 @@ fn spell_derivatives(tokens: &mut [Token<'_>]) {
         }
         if let Some(token) = tokens.get_mut(below) {
             token.text = Cow::Owned(unicode_below(&token.text));
+            if is_below(&token.text) {
+                continue;
+            }
+        }
+        for token in tokens.iter_mut().skip(below + 1).take_while(|token| is_by(token)) {
+            token.text = Cow::Owned(unicode_below(&token.text));
         }
     }
 }
 
+/// `dp`, as the grammar reads it behind the bar.
+fn is_by(token: &Token<'_>) -> bool {
+    token.kind == Kind::Word && token.text.starts_with(['d', '∂'])
+}
+
 /// The place of `du2` in `d2S/du2` and in `d2S(u, v, t)/du2`, and whether there are arguments, if the token at `above` is
 /// the word before them.
-fn below_of(tokens: &[Token<'_>], above: usize) -> Option<(usize, bool)> {
-    tokens.get(above).filter(|token| token.kind == Kind::Word && token.text.starts_with(['d', '∂']))?;
+fn below_of(tokens: &[Token<'_>], above: usize, surfaces: &[String]) -> Option<(usize, bool)> {
+    let word = tokens.get(above).filter(|token| token.kind == Kind::Word)?;
+    let differentiated = digits(word.text.strip_prefix(['d', '∂'])?);
+    let is_of_surface =
+        surfaces.contains(&canonical_name(differentiated.trim_start_matches(|c: char| c.is_ascii_digit())));
     let mut depth = 0_usize;
     let mut bar = above + 1;
     while let Some(token) = tokens.get(bar).filter(|token| depth > 0 || token.kind == Kind::Open) {
@@ -165,8 +190,13 @@ fn below_of(tokens: &[Token<'_>], above: usize) -> Option<(usize, bool)> {
         }
     }
     tokens.get(bar).filter(|token| token.is("/"))?;
-    tokens.get(bar + 1).filter(|token| token.kind == Kind::Word && is_below(&token.text))?;
-    Some((bar + 1, bar > above + 1))
+    let has_arguments = bar > above + 1;
+    let is_parameter = |token: &Token<'_>| is_of_surface && has_arguments && is_by(token);
+    let denominator = tokens.get(bar + 1).filter(|token| token.kind == Kind::Word)?;
+    if !is_below(&denominator.text) && !is_parameter(denominator) {
+        return None;
+    }
+    Some((bar + 1, has_arguments))
 }
 
 /// `d4S` as `∂⁴S`; names of surfaces only with arguments behind them.
@@ -185,9 +215,12 @@ fn unicode_above(text: &str, has_arguments: bool) -> Option<String> {
     }
 }
 
-/// `du2dv` as `∂u²∂v`
+/// `du2dv` as `∂u²∂v`, `dp1` as `∂p₁`
 fn unicode_below(text: &str) -> String {
-    superscript(&digits(text)).replace('d', "∂")
+    match text.strip_prefix(['d', '∂']) {
+        Some(parameter) if !is_below(text) => format!("∂{}", unicode_name(&canonical_name(parameter))),
+        _ => superscript(&digits(text)).replace('d', "∂"),
+    }
 }
 
 /// `du4`, `du2dv2`, `∂u²`
