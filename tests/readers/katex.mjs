@@ -5,8 +5,8 @@ import { readFileSync } from "node:fs";
 import katex from "katex";
 
 const [trimline, ...all] = process.argv.slice(2);
-// B-spline nets have no basis.
-const specs = all.filter((spec) => !readFileSync(spec, "utf8").includes("bspline "));
+// B-spline nets have no basis, and of an imported cubic not all derivatives of it exist.
+const specs = all.filter((spec) => !/bspline[ (]/.test(readFileSync(spec, "utf8")));
 let blocks = 0;
 for (const spec of specs) {
   const run = (...options) => execFileSync(trimline, [...options, "--quiet", spec], { encoding: "utf8", maxBuffer: 1 << 26 });
