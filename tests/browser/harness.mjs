@@ -11,7 +11,7 @@ const { TRIMLINE, EXAMPLES, CHROMIUM } = process.env;
 export const examples = readdirSync(EXAMPLES)
   .filter((name) => name.endsWith(".trim"))
   .map((name) => join(EXAMPLES, name))
-  .filter((path) => !/^(bspline|mirror|repeat) /m.test(readFileSync(path, "utf8")));
+  .filter((path) => !/^(bspline|mirror|repeat) |= bspline\(/m.test(readFileSync(path, "utf8")));
 export const example = (name) => join(EXAMPLES, `${name}.trim`);
 
 // Runs the command and gives its standard output.
