@@ -109,8 +109,15 @@ fn subscript_digit(letter: char) -> Option<char> {
     char::from_digit(value, 10)
 }
 
-/// `b1` as `b_{1}`, `beta` as `\beta`, longer names upright.
+/// `b1` as `b_{1}`, `beta` as `\beta`, longer names upright, and those whose subscript has parts: `S1_x`.
 pub(super) fn latex_name(canonical: &str) -> String {
+    let plain = canonical.trim_end_matches('\'');
+    if let Some((stem, subscript)) = plain.split_once('_')
+        && (subscript.contains('_') || stem.contains(|c: char| c.is_ascii_digit()))
+    {
+        let primes = canonical.get(plain.len()..).unwrap_or_default();
+        return format!(r"\mathrm{{{stem}_{{{subscript}}}}}{primes}");
+    }
     let stem_end = canonical.find(|c: char| c.is_ascii_digit() || c == '\'' || c == '_').unwrap_or(canonical.len());
     let (stem, rest) = canonical.split_at(stem_end);
     let primes = rest.chars().filter(|c| *c == '\'').count();
@@ -142,6 +149,13 @@ mod tests {
             assert_eq!(canonical_name(spelling), "h0'");
         }
         assert_eq!(canonical_name("r_max"), "r_max");
+    }
+
+    #[test]
+    fn parts_of_a_subscript_stay_apart_in_latex() {
+        let spelled = ["b1", "r_max", "r_x1", "S1_x", "a_b_c", "h1_x'"].map(latex_name);
+        let expected = ["b_{1}", "r_{max}", "r_{x1}", r"\mathrm{S1_{x}}", r"\mathrm{a_{b_c}}", r"\mathrm{h1_{x}}'"];
+        assert_eq!(spelled, expected);
     }
 
     #[test]

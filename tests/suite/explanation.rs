@@ -61,8 +61,8 @@ fn explanation_in_unicode_is_a_spec_of_the_same_problem() {
 /// Names that begin like a function or a word of the language, or end in something else than letters and digits.
 const NAMES: &str =
     "param sin_x = 2, exp_a = 3, in_x = 5, log_2 = 7, S_a = 11, d_u = 13, e_1 = 17, pi_a = 19, sin' = 23, sin1 = 29, \
-     x_a = 31, r_max' = 37
-at u = 0: S = [sin_x v + exp_a, in_x v + log_2, S_a v + d_u], ∂S/∂u = [e_1 v + pi_a, sin' v + sin1, x_a v + r_max']
+     x_a = 31, r_max' = 37, h1_x = 41, a_b_c' = 43
+at u = 0: S = [sin_x v + exp_a, in_x v + log_2, S_a v + d_u h1_x], ∂S/∂u = [e_1 v + pi_a, sin' v + sin1, x_a v + r_max' a_b_c']
 at u = 1: S = [cos v, sin v, 0], ∂S/∂u = 0
 ";
 
