@@ -7,7 +7,7 @@
 use std::sync::Arc;
 
 use crate::decompose::{Decomposition, decompose};
-use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, Shortest, Source};
 use crate::expr::canonical_name;
 use crate::method::{self, Choice, Numbers, Options, Report, Settings, Solution, Solver};
 use crate::net::{METHOD, NetSolver, SolvedNet};
@@ -388,7 +388,8 @@ impl Prepared {
     fn large_residual(&self, solution: &Solution, residual: f64, t: f64) -> Diagnostic {
         let method = solution.report.method;
         let message = format!(
-            "the surface meets its boundary but not its equation: `{method}` leaves {residual:.1e} of the largest term at t = {t}"
+            "the surface meets its boundary but not its equation: `{method}` leaves {residual:.1e} of the largest term at t = {}",
+            Shortest(t)
         );
         Diagnostic::new(Code::LargeResidual, message)
             .at(self.patch().operator.origin.or(self.patch().boundary_origin()))

@@ -4,9 +4,11 @@
 //! and blame, so that two places can never report one fault in two ways.
 
 mod code;
+mod number;
 mod source;
 
 pub use code::{Class, Code, Severity};
+pub use number::{Shortest, Single};
 pub use source::{LineColumn, Source, Span};
 
 use std::fmt;

@@ -2,7 +2,7 @@
 
 use std::io;
 
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::{Code, Diagnostic, Shortest};
 use crate::tessellate::Mesh;
 
 /// Why a scene could not be written.
@@ -61,7 +61,7 @@ pub enum ExportError {
         count: usize,
     },
     /// The frames of an animation are not the same meshes.
-    #[error("mesh `{mesh}` has other faces or fields at t = {time} than before")]
+    #[error("mesh `{mesh}` has other faces or fields at t = {} than before", Shortest(*time))]
     TopologyChanges {
         /// The mesh.
         mesh: String,
@@ -69,7 +69,7 @@ pub enum ExportError {
         time: f64,
     },
     /// The instants of an animation do not ascend in the numbers of the format.
-    #[error("{format} cannot hold the instants t = {time} and t = {next} one after the other")]
+    #[error("{format} cannot hold the instants t = {} and t = {} one after the other", Shortest(*time), Shortest(*next))]
     UnfitInstants {
         /// The format.
         format: &'static str,

@@ -13,9 +13,9 @@ use crate::tessellate::{Mesh, Role, Scene};
 
 use super::error::{count_of, in_single_precision};
 use super::name::on_one_line;
-use super::number::Exact;
 use super::triangles::triangles;
 use super::{Content, ExportError, Row};
+use crate::diagnostic::Shortest;
 
 pub(super) const ROW: Row = Row {
     name: "GLB",
@@ -128,7 +128,7 @@ fn mesh_json(mesh: &Mesh, later: &[&Mesh], frames: &[Scene], buffer: &mut Buffer
     let mut primitive = json!({ "attributes": attributes, "indices": indices, "material": material });
     let mut value = json!({ "name": on_one_line(&mesh.name) });
     if !targets.is_empty() {
-        let names: Vec<String> = frames.iter().skip(1).map(|frame| format!("t = {}", Exact(frame.time))).collect();
+        let names: Vec<String> = frames.iter().skip(1).map(|frame| format!("t = {}", Shortest(frame.time))).collect();
         insert(&mut primitive, "targets", json!(targets));
         insert(&mut value, "weights", json!(vec![0.0; later.len()]));
         insert(&mut value, "extras", json!({ "targetNames": names }));

@@ -16,7 +16,6 @@ mod glb;
 mod name;
 #[cfg(feature = "formats")]
 mod npz;
-mod number;
 mod obj;
 mod ply;
 mod stl;

@@ -6,8 +6,8 @@ use crate::diagnostic::Diagnostic;
 use crate::tessellate::{Mesh, Scene};
 
 use super::name::on_one_line;
-use super::number::Exact;
 use super::{Content, ExportError, Row};
+use crate::diagnostic::Shortest;
 
 pub(super) const ROW: Row = Row {
     name: "OBJ",
@@ -18,7 +18,7 @@ pub(super) const ROW: Row = Row {
 };
 
 fn write(scene: &Scene, out: &mut dyn Write) -> Result<Vec<Diagnostic>, ExportError> {
-    writeln!(out, "# trimline {}, t = {}", env!("CARGO_PKG_VERSION"), Exact(scene.time))?;
+    writeln!(out, "# trimline {}, t = {}", env!("CARGO_PKG_VERSION"), Shortest(scene.time))?;
     // OBJ numbers vertices from 1, through the whole file.
     let mut first = 1;
     for mesh in &scene.meshes {
@@ -31,13 +31,13 @@ fn write(scene: &Scene, out: &mut dyn Write) -> Result<Vec<Diagnostic>, ExportEr
 fn write_mesh(mesh: &Mesh, first: usize, out: &mut dyn Write) -> Result<(), ExportError> {
     writeln!(out, "o {}", on_one_line(&mesh.name))?;
     for [x, y, z] in &mesh.positions {
-        writeln!(out, "v {} {} {}", Exact(*x), Exact(*y), Exact(*z))?;
+        writeln!(out, "v {} {} {}", Shortest(*x), Shortest(*y), Shortest(*z))?;
     }
     for [u, v] in &mesh.uv {
-        writeln!(out, "vt {} {}", Exact(*u), Exact(*v))?;
+        writeln!(out, "vt {} {}", Shortest(*u), Shortest(*v))?;
     }
     for [x, y, z] in &mesh.normals {
-        writeln!(out, "vn {} {} {}", Exact(*x), Exact(*y), Exact(*z))?;
+        writeln!(out, "vn {} {} {}", Shortest(*x), Shortest(*y), Shortest(*z))?;
     }
     for quad in &mesh.quads {
         let [a, b, c, d] = quad.map(|index| first + index as usize);

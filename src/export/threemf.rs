@@ -12,10 +12,10 @@ use crate::tessellate::{Mesh, Scene};
 
 use super::error::count_of;
 use super::name::on_one_line;
-use super::number::Exact;
 use super::triangles::triangles;
 use super::zipped::Archive;
 use super::{Content, ExportError, Row};
+use crate::diagnostic::Shortest;
 
 pub(super) const ROW: Row = Row {
     name: "3MF",
@@ -82,7 +82,7 @@ fn write_model(scene: &Scene, out: &mut dyn Write) -> std::io::Result<()> {
     let xml = &mut document(out)?;
     let attributes = [("unit", "millimeter"), ("xml:lang", "en-US"), ("xmlns", CORE)];
     xml.create_element("model").with_attributes(attributes).write_inner_content(|xml| {
-        let time = format!("trimline {}, t = {}", env!("CARGO_PKG_VERSION"), Exact(scene.time));
+        let time = format!("trimline {}, t = {}", env!("CARGO_PKG_VERSION"), Shortest(scene.time));
         let description = xml.create_element("metadata").with_attribute(("name", "Description"));
         description.write_text_content(quick_xml::events::BytesText::new(&time))?;
         xml.create_element("resources").write_inner_content(|xml| {
@@ -106,7 +106,7 @@ fn write_object<W: Write>(mesh: &Mesh, id: usize, xml: &mut Writer<W>) -> std::i
         xml.create_element("mesh").write_inner_content(|xml| {
             xml.create_element("vertices").write_inner_content(|xml| {
                 for position in &mesh.positions {
-                    let [x, y, z] = position.map(|coordinate| Exact(coordinate).to_string());
+                    let [x, y, z] = position.map(|coordinate| Shortest(coordinate).to_string());
                     let attributes = [("x", x.as_str()), ("y", y.as_str()), ("z", z.as_str())];
                     xml.create_element("vertex").with_attributes(attributes).write_empty()?;
                 }

@@ -11,8 +11,8 @@ use crate::tessellate::{Mesh, Role, Scene};
 
 use super::error::in_single_precision;
 use super::name::{distinct_words, on_one_line};
-use super::number::{Exact, Single};
 use super::{Content, ExportError, Row};
+use crate::diagnostic::{Shortest, Single};
 
 pub(super) const ROW: Row = Row {
     name: "USDA",
@@ -30,10 +30,10 @@ fn write(frames: &[Scene], out: &mut dyn Write) -> Result<Vec<Diagnostic>, Expor
     if frames.len() > 1 {
         let rate = codes_per_second(frames)?;
         writeln!(out, "    startTimeCode = 0\n    endTimeCode = {}", frames.len() - 1)?;
-        writeln!(out, "    timeCodesPerSecond = {}\n    framesPerSecond = {}", Exact(rate), Exact(rate))?;
+        writeln!(out, "    timeCodesPerSecond = {}\n    framesPerSecond = {}", Shortest(rate), Shortest(rate))?;
     }
     writeln!(out, ")\n\ndef Xform \"trimline\" (\n    kind = \"component\"\n)\n{{")?;
-    let times = frames.iter().map(|frame| Exact(frame.time).to_string());
+    let times = frames.iter().map(|frame| Shortest(frame.time).to_string());
     attribute(out, "    custom double trimline:t", None, times)?;
     let names = distinct_words(first.meshes.iter().map(|mesh| mesh.name.as_str()));
     for (index, (mesh, name)) in first.meshes.iter().zip(names).enumerate() {

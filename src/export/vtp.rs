@@ -11,8 +11,8 @@ use crate::diagnostic::Diagnostic;
 use crate::tessellate::{Mesh, Scene};
 
 use super::name::on_one_line;
-use super::number::Exact;
 use super::{Content, ExportError, Row};
+use crate::diagnostic::Shortest;
 
 pub(super) const ROW: Row = Row {
     name: "VTP",
@@ -46,7 +46,7 @@ fn write(scene: &Scene, out: &mut dyn Write) -> Result<Vec<Diagnostic>, ExportEr
 /// The instant, as VTK's readers look for it, and the names of the patches, as VTK writes text.
 fn field_data<W: Write>(scene: &Scene, xml: &mut Writer<W>) -> io::Result<()> {
     let time = [("type", "Float64"), ("Name", "TimeValue"), ("NumberOfTuples", "1"), ("format", "ascii")];
-    let text = Exact(scene.time).to_string();
+    let text = Shortest(scene.time).to_string();
     xml.create_element("DataArray").with_attributes(time).write_text_content(BytesText::new(&text))?;
     let count = scene.meshes.len().to_string();
     let names = [("type", "String"), ("Name", "patches"), ("NumberOfTuples", count.as_str()), ("format", "ascii")];
@@ -155,7 +155,7 @@ pub fn write_pvd(series: &[(f64, String)], out: &mut dyn Write) -> Result<(), Ex
     xml.create_element("VTKFile").with_attributes(attributes).write_inner_content(|xml| {
         xml.create_element("Collection").write_inner_content(|xml| {
             for (time, file) in series {
-                let time = Exact(*time).to_string();
+                let time = Shortest(*time).to_string();
                 let attributes = [("timestep", time.as_str()), ("part", "0"), ("file", file.as_str())];
                 xml.create_element("DataSet").with_attributes(attributes).write_empty()?;
             }

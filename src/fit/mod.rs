@@ -13,7 +13,7 @@ mod breakpoints;
 mod line;
 mod measure;
 
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::{Code, Diagnostic, Shortest};
 use crate::expr::Derivative;
 use crate::limits::Limits;
 use crate::surface::{BsplineSurface, Surface};
@@ -145,6 +145,7 @@ impl<'a> Work<'a> {
     fn new(target: &'a Target<'a>, t: f64, settings: &Settings) -> Result<Work<'a>, Diagnostic> {
         for (name, [start, end]) in [("u", target.u), ("v", target.v)] {
             if !(start < end && (end - start).is_finite()) {
+                let (start, end) = (Shortest(start), Shortest(end));
                 let message = format!("`{}` has no extent: {name} from {start} to {end}", target.name);
                 return Err(Diagnostic::new(Code::EmptyDomain, message).hint("the lower end is below the upper end"));
             }

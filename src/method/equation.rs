@@ -11,7 +11,7 @@ use nalgebra::DMatrix;
 
 use super::{Options, Size};
 use crate::decompose::{Decomposition, bounded_derivative};
-use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::diagnostic::{Code, Diagnostic, Shortest, Span};
 use crate::eval::{Backend, Evaluator, Program, Samples, compile};
 use crate::expr::{Derivative, ExprId, Graph};
 use crate::limits::Limits;
@@ -208,7 +208,8 @@ impl Equation {
         let Some(at) = values.iter().position(|value| !value.is_finite()) else { return Ok(values) };
         let j = at / self.values_per_function(v.len()).max(1);
         let node = at % v.len().max(1);
-        let [u, v] = [u, v].map(|all| all.get(node).copied().unwrap_or(f64::NAN));
+        let [u, v] = [u, v].map(|all| Shortest(all.get(node).copied().unwrap_or(f64::NAN)));
+        let t = Shortest(t);
         let message = format!("the equation for basis function F{} is not finite at u = {u}, v = {v}, t = {t}", j + 1);
         let finding = Diagnostic::new(Code::DataNotFinite, message).at(self.origin(j));
         Err(finding.hint("a derivative of the function or a coefficient of the equation has a pole, or overflows"))

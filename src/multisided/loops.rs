@@ -2,7 +2,7 @@
 
 use super::split;
 use super::vector::{End, Vector, at, combination, hermite, slope};
-use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::diagnostic::{Code, Diagnostic, Shortest, Span};
 use crate::expr::{ExprId, Graph, Number, Variable};
 use crate::limits::Limits;
 use crate::problem::{Bindings, Patch, PdeOperator, Problem, SolveRequest};
@@ -164,7 +164,7 @@ impl EdgeLoop {
                         index + 1,
                         self.name
                     );
-                    let [x, y, z] = value(graph, expected, u);
+                    let [x, y, z] = value(graph, expected, u).map(Shortest);
                     return Err(Diagnostic::new(Code::SidesDisagree, message)
                         .at(edge.origin)
                         .hint(format!("it must be [{x}, {y}, {z}] there, or leave it out")));

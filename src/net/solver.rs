@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::{Filled, fill};
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::{Code, Diagnostic, Shortest};
 use crate::eval::{Backend, Evaluator, Program, Samples, compile};
 use crate::expr::{Derivative, ExprId, Graph, Variable};
 use crate::limits::Limits;
@@ -258,6 +258,7 @@ fn at(finding: Diagnostic, net: &Net) -> Diagnostic {
     if finding.span.is_some() { finding } else { finding.at(net.origin) }
 }
 
-fn spelled([x, y, z]: [f64; 3]) -> String {
+fn spelled(point: [f64; 3]) -> String {
+    let [x, y, z] = point.map(Shortest);
     format!("[{x}, {y}, {z}]")
 }

@@ -1,6 +1,6 @@
 //! Local deformations, symbolically.
 
-use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::diagnostic::{Code, Diagnostic, Shortest, Span};
 use crate::expr::{ExprId, Graph, Number, Variable};
 
 /// A displacement of a part of the surface: `by` in its middle, falling to zero at its border.
@@ -50,21 +50,22 @@ pub fn check_region(
 ) -> Result<(), Diagnostic> {
     let name = variable.name();
     let refuse = |message: String| Diagnostic::new(Code::RegionDoesNotFit, message).at(origin);
+    let region = format!("the region {name} in [{}, {}]", Shortest(low), Shortest(high));
     if !(low.is_finite() && high.is_finite()) {
-        return Err(refuse(format!("the region {name} in [{low}, {high}] is not finite")));
+        return Err(refuse(format!("{region} is not finite")));
     }
     if low >= high {
-        let finding = refuse(format!("the region {name} in [{low}, {high}] is empty"));
+        let finding = refuse(format!("{region} is empty"));
         let advice = if low > high {
-            format!("write the smaller end first: `{name} in [{high}, {low}]`")
+            format!("write the smaller end first: `{name} in [{}, {}]`", Shortest(high), Shortest(low))
         } else {
             "the lower end must be below the upper end".to_owned()
         };
         return Err(finding.hint(advice));
     }
     if low < start || high > end {
-        let finding = refuse(format!("the region {name} in [{low}, {high}] leaves the patch"));
-        return Err(finding.hint(format!("the patch has {name} in [{start}, {end}]")));
+        let finding = refuse(format!("{region} leaves the patch"));
+        return Err(finding.hint(format!("the patch has {name} in [{}, {}]", Shortest(start), Shortest(end))));
     }
     Ok(())
 }

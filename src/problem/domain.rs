@@ -1,7 +1,7 @@
 //! The ranges of u, v and t.
 
 use super::{Bindings, Problem};
-use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::diagnostic::{Code, Diagnostic, Shortest, Span};
 use crate::expr::{Constant, ExprId, Graph, Number, Variable};
 
 /// A range for each variable; the ends are constant expressions.
@@ -71,8 +71,10 @@ pub(super) fn interval(
     if low < high {
         return Ok([low, high]);
     }
+    let is_reversed = low > high;
+    let (low, high) = (Shortest(low), Shortest(high));
     let finding = Diagnostic::new(Code::EmptyDomain, format!("the domain {name} in [{low}, {high}] is empty"));
-    let finding = if low > high {
+    let finding = if is_reversed {
         finding.hint(format!("write the smaller end first: `{name} in [{high}, {low}]`"))
     } else {
         finding.hint("the lower end must be below the upper end")

@@ -26,7 +26,7 @@ pub use placement::{PatchCopy, Placement};
 pub use reach::check_reach;
 pub use surface::{Join, PrimarySurface, Seam, SeamEdge};
 
-use crate::diagnostic::Span;
+use crate::diagnostic::{Shortest, Span};
 use crate::expr::{Derivative, ExprId, Graph, Notation, Variable};
 
 /// The names of the components of S.
@@ -194,5 +194,5 @@ pub fn describe(component: Option<usize>, order: usize, across: Variable, positi
         _ => Derivative::new(0, order, 0),
     };
     let left = derivative.of(&unknown, Notation::Unicode);
-    format!("{left} at {name} = {position}")
+    format!("{left} at {name} = {}", Shortest(position))
 }

@@ -1,7 +1,7 @@
 //! Parameters, and the numbers they stand for.
 
 use super::Problem;
-use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::diagnostic::{Code, Diagnostic, Shortest, Span};
 use crate::expr::{ExprId, Graph, SymbolId};
 
 /// Where a parameter belongs.
@@ -59,6 +59,7 @@ impl Bindings {
             let low = bindings.constant(problem, low, parameter.origin, &range)?;
             let high = bindings.constant(problem, high, parameter.origin, &range)?;
             if !parameter.is_overridden && !(low..=high).contains(&value) {
+                let (value, low, high) = (Shortest(value), Shortest(low), Shortest(high));
                 return Err(Diagnostic::new(
                     Code::ParameterOutOfRange,
                     format!("`{name}` is {value}, outside [{low}, {high}]"),

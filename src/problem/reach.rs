@@ -1,7 +1,7 @@
 //! Whether boundary data ask splines for values beyond their knots.
 
 use super::{Bindings, DomainValues, Patch};
-use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::diagnostic::{Code, Diagnostic, Shortest, Span};
 use crate::expr::{ExprId, Graph, Node};
 
 /// Values of a coordinate at which arguments are looked at, its ends included.
@@ -51,6 +51,7 @@ fn check(
         if farthest < low - slack || farthest > high + slack {
             let surface = spline.name().rsplit_once('_').map_or(spline.name(), |(name, _)| name);
             let parameter = spline.argument(index);
+            let (farthest, low, high) = (Shortest(farthest), Shortest(low), Shortest(high));
             let message = format!(
                 "`{surface}` is asked for at {parameter} = {farthest}, outside the range [{low}, {high}] of its knots"
             );

@@ -6,7 +6,7 @@ use super::join;
 use super::lower::Lowering;
 use super::reading::{Fault, Reading};
 use super::scope::{Scope, Value};
-use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, Shortest, Span};
 use crate::expr::{ExprId, Variable};
 use crate::numeric::CardinalPolynomials;
 use crate::problem::{Bindings, BoundaryCondition, Join, SideCondition, describe};
@@ -198,7 +198,8 @@ fn edge(boundary: &Boundary, frame: &Frame<'_>, lowering: &mut Lowering<'_>) -> 
     let place = lowering.tree.span(boundary.position);
     let position = bindings.constant_in(lowering.graph, edge, Some(place), "the position of a boundary")?;
     if !(range[0]..=range[1]).contains(&position) {
-        let ([low, high], name) = (range, frame.across.name());
+        let ([low, high], name) = (range.map(Shortest), frame.across.name());
+        let position = Shortest(position);
         let message = format!("{name} = {position} lies outside the domain {name} in [{low}, {high}]");
         return Err(Diagnostic::new(Code::DependentConstraints, message).at(place).into());
     }

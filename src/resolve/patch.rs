@@ -9,7 +9,7 @@ use super::loops;
 use super::lower::Lowering;
 use super::reading::{Fault, Reading};
 use super::scope::Scope;
-use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::diagnostic::{Code, Diagnostic, Shortest, Span};
 use crate::expr::Variable;
 use crate::multisided::close_at_apex;
 use crate::problem::{
@@ -222,6 +222,7 @@ fn seam_edge(
     if (low..=high).contains(&position) {
         return Ok(SeamEdge { patch: index, across, position: u, part: [0.0, 1.0] });
     }
+    let (position, low, high) = (Shortest(position), Shortest(low), Shortest(high));
     let message =
         format!("{0} = {position} lies outside the domain {0} in [{low}, {high}] of `{1}`", across.name(), name.text);
     Err(Diagnostic::new(Code::DependentConstraints, message).at(place).into())

@@ -1,7 +1,7 @@
 //! Basis functions F_j(v, t), or of u and t, and their derivatives as compiled programs.
 
 use super::Functions;
-use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::diagnostic::{Code, Diagnostic, Shortest, Span};
 use crate::eval::{Backend, Program, Samples, first_non_finite};
 use crate::expr::{Derivative, ExprId, Graph, Notation, Variable};
 use crate::limits::Limits;
@@ -94,7 +94,7 @@ impl Basis {
         let origin = self.functions.origin(function);
         let of =
             if derivative == Derivative::NONE { String::new() } else { format!("the derivative `{derivative}` of ") };
-        let at = |at: Option<&f64>| at.copied().unwrap_or(f64::NAN);
+        let at = |at: Option<&f64>| Shortest(at.copied().unwrap_or(f64::NAN));
         let along = self.along.name();
         let message =
             format!("{of}`{name}` (basis function F{}) is {value} at {along} = {}, t = {}", function + 1, at(v), at(t));

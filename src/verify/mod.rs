@@ -13,7 +13,7 @@ pub use apex::{ApexDeviation, verify_apexes};
 pub use join::{JoinDeviation, verify_joins};
 pub use seam::{Edge, Line, SeamDeviation};
 
-use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::diagnostic::{Code, Diagnostic, Shortest, Span};
 use crate::eval::{Backend, Program, Samples, compile};
 use crate::expr::{Derivative, ExprId, Graph, Notation, Variable};
 use crate::numeric::{NodeKind, nodes};
@@ -299,8 +299,8 @@ fn run(
 }
 
 fn not_finite(what: &str, value: Option<f64>, origin: Option<Span>, at: (&str, Option<&f64>), t: f64) -> Diagnostic {
-    let (name, at) = (at.0, at.1.copied().unwrap_or(f64::NAN));
-    let value = value.unwrap_or(f64::NAN);
+    let (name, at) = (at.0, Shortest(at.1.copied().unwrap_or(f64::NAN)));
+    let (value, t) = (Shortest(value.unwrap_or(f64::NAN)), Shortest(t));
     Diagnostic::new(Code::DataNotFinite, format!("{what} is {value} at {name} = {at}, t = {t}"))
         .at(origin)
         .hint("boundary data must be finite on the whole domain; change the function or the domain")

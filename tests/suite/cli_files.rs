@@ -61,3 +61,133 @@ fn faults_of_files_have_their_status_and_their_place_in_the_spec() {
     let (code, errors) = told(&["check", &spec]);
     assert!(code == 1 && errors.contains("it is not a regular file"), "{errors}");
 }
+
+#[test]
+fn negative_value_of_an_option_is_told_its_range() {
+    let cases: &[(&[&str], &str)] = &[
+        (&["check", "--max-gap", "-1"], "--max-gap takes a number, 0 or more"),
+        (&["check", "--max-angle", "-1"], "--max-angle takes a number, 0 or more"),
+        (&["morph", "--at", "-0.1"], "-0.1 lies outside [0, 1]"),
+        (&["morph", "--steps", "-1"], "'-1' for '--steps <M>': write a whole number"),
+        (&["eval", "--points", "-", "--morph", "-2"], "-2 lies outside [0, 1]"),
+        (&["bench", "--patch", "vase", "--seconds", "-1"], "--seconds -1: give a number from 0 to 3600"),
+    ];
+    let spec = example("p3_vase_to_flask.trim");
+    for (arguments, said) in cases {
+        let (command, options) = arguments.split_first().expect("a command");
+        let output = trimline(&[&[*command, spec.as_str()], options].concat());
+        let errors = text(&output.stderr);
+        assert!(errors.contains(said) && !errors.contains("unexpected argument"), "{arguments:?}: {errors}");
+        assert_ne!(status(&output), 0, "{arguments:?}");
+    }
+}
+
+#[cfg(unix)]
+mod unix {
+    use std::os::unix::fs::symlink;
+    use std::os::unix::process::ExitStatusExt;
+    use std::process::{Child, Command, Stdio};
+    use std::time::{Duration, Instant};
+
+    use super::{RING, SPEC, folder};
+    use crate::cli::{Folder, done, example, status, text, trimline};
+
+    fn make_pipe(path: &std::path::Path) {
+        assert!(Command::new("mkfifo").arg(path).status().is_ok_and(|status| status.success()));
+    }
+
+    #[test]
+    fn pipe_or_device_in_place_of_a_file_is_refused_and_not_waited_for() {
+        let (folder, spec) = folder(RING);
+        std::fs::remove_file(folder.path("data/ring.csv")).expect("gone");
+        make_pipe(&folder.path("data/ring.csv"));
+        let output = trimline(&["check", &spec]);
+        assert!(text(&output.stderr).contains("E0221"), "{}", text(&output.stderr));
+        assert!(text(&output.stderr).contains("not a regular file"), "{}", text(&output.stderr));
+        let pipe = folder.path("data/ring.csv").to_string_lossy().into_owned();
+        let eq19 = example("eq19.trim");
+        let cases = [vec!["check", &pipe], vec!["check", "/dev/zero"], vec!["eval", &eq19, "--points", &pipe]];
+        for arguments in cases {
+            let output = trimline(&arguments);
+            assert_eq!(status(&output), 2, "{arguments:?}");
+            assert!(text(&output.stderr).contains("not a regular file"), "{}", text(&output.stderr));
+        }
+    }
+
+    #[test]
+    fn spec_that_a_shell_hands_over_is_read() {
+        let run = |script: &str| Command::new("bash").args(["-c", script]).output().expect("bash runs");
+        let (command, spec) = (env!("CARGO_BIN_EXE_trimline"), example("eq19.trim"));
+        done(&run(&format!("cat '{spec}' | '{command}' basis /dev/stdin")));
+        done(&run(&format!("'{command}' basis <(cat '{spec}')")));
+    }
+
+    #[test]
+    fn link_out_of_the_folder_is_not_followed_and_one_within_is() {
+        let (folder, spec) = folder(RING);
+        let outside = Folder::new();
+        std::fs::write(outside.path("ring.csv"), RING).expect("a file");
+        std::fs::rename(folder.path("data/ring.csv"), folder.path("measured.csv")).expect("moved");
+        symlink("../measured.csv", folder.path("data/ring.csv")).expect("a link");
+        done(&trimline(&["check", &spec]));
+        std::fs::remove_file(folder.path("data/ring.csv")).expect("gone");
+        symlink(outside.path("ring.csv"), folder.path("data/ring.csv")).expect("a link");
+        let refused = |spec: &str| {
+            let output = trimline(&["check", spec]);
+            let errors = text(&output.stderr);
+            assert!(status(&output) == 1 && errors.contains("E0221") && errors.contains("leads out"), "{errors}");
+        };
+        refused(&spec);
+        std::fs::remove_dir_all(folder.path("data")).expect("gone");
+        symlink(outside.path("."), folder.path("data")).expect("a link");
+        refused(&spec);
+        // The spec itself may be reached by a link; its folder is the one that the user names.
+        let there = outside.spec(SPEC.replace("data/", ""));
+        symlink(outside.path("."), folder.path("project")).expect("a link");
+        done(&trimline(&[
+            "check",
+            &there.replace(&*outside.path("").to_string_lossy(), &folder.path("project/").to_string_lossy()),
+        ]));
+    }
+
+    /// A command that takes a while, once its unfinished file is there.
+    fn started(folder: &Folder, script: &str) -> Child {
+        let target = folder.path("out.obj").to_string_lossy().into_owned();
+        let child = Command::new("sh")
+            .args(["-c", script, "sh", env!("CARGO_BIN_EXE_trimline"), &example("eq19.trim"), &target])
+            .stderr(Stdio::null())
+            .spawn()
+            .expect("the command starts");
+        let start = Instant::now();
+        while !folder.files().iter().any(|name| name.starts_with(".trimline-")) {
+            assert!(start.elapsed() < Duration::from_secs(60), "no file was begun");
+            std::thread::sleep(Duration::from_millis(2));
+        }
+        child
+    }
+
+    fn send(signal: &str, child: &Child) {
+        let sent = Command::new("kill").args([signal, &child.id().to_string()]).status();
+        assert!(sent.is_ok_and(|status| status.success()), "{signal} was not sent");
+    }
+
+    #[test]
+    fn signal_that_ends_a_command_leaves_no_file() {
+        for (name, number) in [("-HUP", 1), ("-INT", 2), ("-TERM", 15)] {
+            let folder = Folder::new();
+            let mut child = started(&folder, "exec \"$1\" mesh \"$2\" -o \"$3\" --frames 500 --grid 200x200");
+            send(name, &child);
+            assert_eq!(child.wait().expect("it ends").signal(), Some(number));
+            assert!(folder.files().is_empty(), "{name}: {:?}", folder.files());
+        }
+    }
+
+    #[test]
+    fn signal_that_is_ignored_stays_ignored() {
+        let folder = Folder::new();
+        let mut child = started(&folder, "trap '' HUP; exec \"$1\" mesh \"$2\" -o \"$3\" --frames 12 --grid 100x100");
+        send("-HUP", &child);
+        assert!(child.wait().expect("it ends").success());
+        assert_eq!(folder.files().len(), 12);
+    }
+}

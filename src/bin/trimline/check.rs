@@ -5,6 +5,7 @@ use std::fmt::Write;
 use clap::Args;
 use serde::Serialize;
 
+use trimline::diagnostic::Shortest;
 use trimline::expr::{Notation, Variable};
 use trimline::morph::{ends, interpolate};
 use trimline::problem::{Explanation, Patch, describe};
@@ -371,7 +372,8 @@ fn text(report: &Report) -> String {
             let _ = writeln!(text, "  {what:20} largest error {}", rounded(boundary.max_error));
         }
         for join in &patch.joins {
-            let _ = writeln!(text, "  {:20} {}", format!("{} at u = {}", join.surface, join.u), join_text(join));
+            let _ =
+                writeln!(text, "  {:20} {}", format!("{} at u = {}", join.surface, Shortest(join.u)), join_text(join));
         }
         for apex in &patch.apexes {
             let (name, position) = apex.u.map_or(("v", apex.v.unwrap_or(f64::NAN)), |u| ("u", u));
@@ -408,8 +410,11 @@ pub fn instants_text(times: &[f64]) -> String {
 fn residual_text(patch: &PatchReport) -> String {
     let mut text = format!("{} of the largest term", rounded(patch.pde_residual));
     if patch.pde_residual > LARGE_RESIDUAL {
-        let _ =
-            write!(text, " at t = {}: the boundary is met, the equation is not solved there", patch.pde_residual_time);
+        let _ = write!(
+            text,
+            " at t = {}: the boundary is met, the equation is not solved there",
+            Shortest(patch.pde_residual_time)
+        );
     }
     text
 }

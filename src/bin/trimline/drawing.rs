@@ -26,7 +26,7 @@ pub struct Drawing {
     shade: Coloring,
 
     /// Lines of constant u and v that divide each patch into N x M parts.
-    #[arg(long, value_name = "NxM")]
+    #[arg(long, value_name = "NxM", allow_hyphen_values = true)]
     lines: Option<String>,
 
     /// The viewer: degrees around z and above the plane of x and y, and how much larger than life.
@@ -34,7 +34,7 @@ pub struct Drawing {
     camera: String,
 
     /// Width and height of a picture in pixels [default: 800x600, on a sheet 320x240].
-    #[arg(long, value_name = "WxH")]
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     size: Option<String>,
 
     /// One picture after the other instead of a sheet.

@@ -2,16 +2,18 @@
 
 use std::collections::BTreeMap;
 use std::io::Read;
+use std::path::Path;
 
 use clap::Args;
 
-use trimline::diagnostic::{Code, Diagnostic};
+use trimline::diagnostic::{Code, Diagnostic, Shortest};
 use trimline::expr::Derivative;
 use trimline::method::Size;
 use trimline::problem::COMPONENTS;
 
 use crate::Outcome;
 use crate::failure::{Failure, Said, print_warnings};
+use crate::files;
 use crate::options::{Solving, Terminal};
 use crate::output;
 use crate::parts::{Located, Part};
@@ -132,7 +134,7 @@ pub fn read_table<P: Located>(file: &str, time: Option<f64>, parts: &[P], allowe
     let input: Box<dyn Read> = if file == "-" {
         Box::new(std::io::stdin().lock())
     } else {
-        Box::new(std::fs::File::open(file).map_err(|error| unreadable(&error))?)
+        Box::new(files::open(Path::new(file)).map_err(|error| unreadable(&error))?)
     };
     let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(input);
     let bad = |message: String| Failure::Found {
@@ -182,6 +184,7 @@ pub fn read_table<P: Located>(file: &str, time: Option<f64>, parts: &[P], allowe
             *coordinate =
                 text.parse().map_err(|_| bad(format!("line {line}: `{text}` in column `{name}` is not a number")))?;
             if !(low..=high).contains(coordinate) {
+                let (low, high) = (Shortest(low), Shortest(high));
                 let message = format!("{shown}: line {line}: {name} = {text} lies outside the domain [{low}, {high}]");
                 return Err(Failure::Found {
                     source: None,

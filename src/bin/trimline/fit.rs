@@ -6,14 +6,14 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 
-use trimline::diagnostic::{Code, Diagnostic};
+use trimline::diagnostic::{Code, Diagnostic, Shortest};
 use trimline::export::{CadFormat, Face, Schema, write_cad};
 use trimline::fit::{Fitted, Settings, Target, fit};
 use trimline::surface::{BsplineSurface, KnotVector};
 
 use crate::Outcome;
 use crate::failure::{Failure, print_warnings, say};
-use crate::options::{Collocation, Format, Solving, Terminal, option_finding};
+use crate::options::{Collocation, Format, Solving, Terminal, option_finding, read_count};
 use crate::output;
 use crate::parts::{Located, Shape};
 use crate::workflow::Spec;
@@ -37,7 +37,7 @@ pub struct Arguments {
     output: PathBuf,
 
     /// The degree of the B-splines, 3 to 5.
-    #[arg(long, value_name = "P", default_value_t = 3)]
+    #[arg(long, value_name = "P", value_parser = read_count, default_value_t = 3)]
     degree: usize,
 
     /// The application protocol of a STEP file.
@@ -207,7 +207,7 @@ fn text(report: &Report, path: &Path) -> String {
             "wrote {}: {} at t = {}, degree {}, {rows} x {columns} points{closed}; {deviation}",
             path.display(),
             patch.name,
-            patch.time,
+            Shortest(patch.time),
             patch.degree,
         )
     };

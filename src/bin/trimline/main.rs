@@ -24,13 +24,14 @@ mod render;
 mod scenes;
 mod seams;
 mod solve;
+mod unfinished;
 #[cfg(feature = "view")]
 mod view;
 mod workflow;
 
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use failure::Failure;
 use options::Terminal;
@@ -100,8 +101,19 @@ enum Command {
     View(view::Arguments),
 }
 
+/// What the user typed. A negative number is the value of its option, so that what it says of its range is what the user reads.
+fn arguments() -> Arguments {
+    let command = Arguments::command().mut_subcommands(|command| {
+        command.mut_args(|argument| {
+            let takes_value = argument.get_action().takes_values();
+            argument.allow_negative_numbers(takes_value)
+        })
+    });
+    Arguments::from_arg_matches(&command.get_matches()).unwrap_or_else(|error| error.exit())
+}
+
 fn main() -> ExitCode {
-    let arguments = Arguments::parse();
+    let arguments = arguments();
     let terminal = arguments.terminal;
     let result = match arguments.command {
         Command::Check(arguments) => check::run(&arguments, &terminal),

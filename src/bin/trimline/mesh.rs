@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use trimline::diagnostic::Diagnostic;
+use trimline::diagnostic::{Diagnostic, Shortest};
 use trimline::export::{ExportError, Format, write, write_frames, write_pvd};
 use trimline::tessellate::Scene;
 
@@ -75,7 +75,7 @@ fn one_file(
     print_warnings(&notes, &scenes.spec.source, terminal);
     let path = arguments.output.display();
     let written = match times {
-        [time] => format!("{path} at t = {time}"),
+        [time] => format!("{path} at t = {}", Shortest(*time)),
         _ => format!("{path} with {} frames", times.len()),
     };
     Ok((written, frames.pop().unwrap_or_default()))
@@ -104,7 +104,7 @@ fn file_each(
     }
     let mut written = series.keep()?;
     if let ([time], false) = (times, is_numbered) {
-        written = format!("{written} at t = {time}");
+        written = format!("{written} at t = {}", Shortest(*time));
     }
     progress.finish();
     Ok((written, last))

@@ -5,6 +5,7 @@ use std::time::Instant;
 
 use serde::Serialize;
 
+use trimline::diagnostic::Shortest;
 use trimline::net::METHOD;
 use trimline::surface::KnotVector;
 
@@ -103,7 +104,13 @@ pub fn solution(spec: &Spec, part: &Part, time: f64, terminal: &Terminal) -> Res
 /// Writing to a string does not fail.
 pub fn write_solution(text: &mut String, net: &NetSolution) {
     let (rows, per_row) = (net.control_net.len(), net.control_net.first().map_or(0, Vec::len));
-    let _ = writeln!(text, "net {}: method {}, {rows} x {per_row} points, at t = {}", net.name, net.method, net.time);
+    let _ = writeln!(
+        text,
+        "net {}: method {}, {rows} x {per_row} points, at t = {}",
+        net.name,
+        net.method,
+        Shortest(net.time)
+    );
     write_amplification(text, net.amplification);
     for (name, knots) in [("u", &net.knots_u), ("v", &net.knots_v)] {
         let knots: Vec<String> = knots.iter().map(f64::to_string).collect();

@@ -86,7 +86,7 @@ pub struct Solving {
     pub method: Option<String>,
 
     /// The number of trial functions of a fitted method, or its highest powers.
-    #[arg(long, value_name = "K|MxN")]
+    #[arg(long, value_name = "K|MxN", allow_hyphen_values = true)]
     pub terms: Option<String>,
 
     /// What a fitted method fits together: joint or per-basis.
@@ -106,7 +106,7 @@ pub struct Solving {
     pub tolerance: Option<String>,
 
     /// The instant, where one is needed [default: start of the time domain].
-    #[arg(long, value_name = "T", allow_negative_numbers = true)]
+    #[arg(long, value_name = "T")]
     pub time: Option<f64>,
 }
 
@@ -114,7 +114,7 @@ pub struct Solving {
 #[derive(Args)]
 pub struct Collocation {
     /// Collocation grid, for example `11x11`, `11x11:ends`; nodes are midpoints, ends, gauss or chebyshev.
-    #[arg(long, value_name = "LxM[:KIND]")]
+    #[arg(long, value_name = "LxM[:KIND]", allow_hyphen_values = true)]
     pub points: Option<String>,
 }
 
@@ -171,6 +171,11 @@ pub fn option_finding(option: &str, value: &str, finding: Diagnostic) -> Failure
     let source = Source::new(format!("--{option}"), value);
     let whole = trimline::diagnostic::Span::new(0, value.len());
     Failure::one(&source, finding.at(whole))
+}
+
+/// Reads how many.
+pub fn read_count(text: &str) -> Result<usize, String> {
+    text.parse().map_err(|_| "write a whole number that is not negative".to_owned())
 }
 
 /// Reads `64x128`.

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
 
 use crate::failure::Failure;
+use crate::unfinished;
 
 /// Prints a whole result.
 pub fn print(text: &str) -> Result<(), Failure> {
@@ -66,9 +67,12 @@ impl Files {
             // Temporary files are private by default; results are ordinary files, under the process's umask.
             builder.permissions(std::fs::Permissions::from_mode(0o666));
         }
+        let mut unfinished = unfinished::names();
         let file = builder
             .tempfile_in(folder)
             .map_err(|error| Failure::Machine(format!("cannot write to `{}`: {error}", folder.display())))?;
+        unfinished.push(file.path().to_owned());
+        drop(unfinished);
         if let Some(before) = before {
             let kept = file.as_file().set_permissions(before);
             kept.map_err(|error| Failure::Machine(format!("cannot write `{}`: {error}", path.display())))?;
@@ -82,6 +86,8 @@ impl Files {
 
     /// Gives every file its name.
     pub fn keep(self) -> Result<(), Failure> {
+        // Held until all have their names, so that a signal does not part them.
+        let _unfinished = unfinished::names();
         for (file, path) in self.written {
             file.persist(&path)
                 .map_err(|error| Failure::Machine(format!("cannot write `{}`: {}", path.display(), error.error)))?;

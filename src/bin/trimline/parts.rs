@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use trimline::blend::prepare_net;
-use trimline::diagnostic::{Code, Diagnostic, Diagnostics};
+use trimline::diagnostic::{Code, Diagnostic, Diagnostics, Shortest};
 use trimline::eval::Backend;
 use trimline::method::Options;
 use trimline::net::{NetSolver, SolvedNet};
@@ -31,6 +31,7 @@ pub trait Located {
             None => Ok(start),
             Some(time) if (start..=end).contains(&time) => Ok(time),
             Some(time) => {
+                let (time, start, end) = (Shortest(time), Shortest(start), Shortest(end));
                 let message = format!("t = {time} lies outside the time domain [{start}, {end}]");
                 let finding = Diagnostic::new(Code::PointOutsideDomain, message)
                     .hint("choose an instant inside, or widen `domain t in [..]` in the spec");

@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use trimline::diagnostic::Shortest;
+
 use crate::Outcome;
 use crate::drawing::{Drawing, kind_of};
 use crate::failure::{Failure, say};
@@ -46,7 +48,7 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
     drawing.write(&arguments.output, instants, (&style, &spec.limits), |finding| spec.fault(finding), terminal)?;
     if !terminal.quiet {
         let what = match times.as_slice() {
-            [time] => format!("at t = {time}"),
+            [time] => format!("at t = {}", Shortest(*time)),
             _ if drawing.animate => format!("with {} frames", times.len()),
             _ => format!("with {} pictures", times.len()),
         };

@@ -12,7 +12,7 @@ use trimline::tessellate::{Field, Grid, Mesh, Role, Scene, curvatures, instants,
 use trimline::verify::residuals;
 
 use crate::failure::{Failure, Said, print_warnings};
-use crate::options::{Collocation, Solving, Terminal, option_finding, read_grid};
+use crate::options::{Collocation, Solving, Terminal, option_finding, read_count, read_grid};
 use crate::parts::{Located, Part};
 use crate::workflow::Spec;
 
@@ -26,11 +26,11 @@ pub struct Meshing {
     collocation: Collocation,
 
     /// Quads across (u) and along (v).
-    #[arg(long, value_name = "NUxNV", default_value = "64x128")]
+    #[arg(long, value_name = "NUxNV", default_value = "64x128", allow_hyphen_values = true)]
     grid: String,
 
     /// As many instants over the time domain, both ends included.
-    #[arg(long, value_name = "N", conflicts_with = "time")]
+    #[arg(long, value_name = "N", value_parser = read_count, conflicts_with = "time")]
     pub frames: Option<usize>,
 
     /// Also the primary surfaces, each as an object of its own.

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use trimline::diagnostic::{Code, Diagnostic};
+use trimline::diagnostic::{Code, Diagnostic, Shortest};
 use trimline::expr::Variable;
 use trimline::problem::{Seam, SeamEdge};
 use trimline::surface::Surface;
@@ -84,7 +84,7 @@ impl EdgePlace {
             None => String::new(),
             Some([start, end]) => format!(" from {start} to {end} of its length"),
         };
-        format!("{} at {name} = {position}{part}", self.patch)
+        format!("{} at {name} = {}{part}", self.patch, Shortest(position))
     }
 }
 

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use clap::Args;
 use serde::Serialize;
+use trimline::diagnostic::Shortest;
 use trimline::method::Report;
 use trimline::surface::SeparableSurface;
 
@@ -173,7 +174,7 @@ fn function_coefficients(surface: &SeparableSurface, conditions: usize, report: 
 
 /// Writing to a string does not fail.
 fn write_text(text: &mut String, solution: &PatchSolution, patched: &Patched) {
-    let when = if solution.exact { "for every t".to_owned() } else { format!("at t = {}", solution.time) };
+    let when = if solution.exact { "for every t".to_owned() } else { format!("at t = {}", Shortest(solution.time)) };
     let functions = match solution.closure_size {
         Some(closure) => format!("{} basis functions, {closure} with their closure", solution.basis_size),
         None => format!("{} basis functions", solution.basis_size),

@@ -1,6 +1,6 @@
 //! From a spec's path to solved patches: the pipeline as commands use it, with its times.
 
-use std::io::Read;
+use std::io::{ErrorKind, Read};
 use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
@@ -235,9 +235,12 @@ fn read_bytes(path: &str, limits: &Limits) -> Result<(String, Vec<u8>), Failure>
     }
     let unreadable = |error: std::io::Error| {
         let message = format!("cannot read `{path}`: {error}");
-        if error.kind() == std::io::ErrorKind::NotFound { Failure::Usage(message) } else { Failure::Machine(message) }
+        match error.kind() {
+            ErrorKind::NotFound | ErrorKind::InvalidInput => Failure::Usage(message),
+            _ => Failure::Machine(message),
+        }
     };
-    let file = std::fs::File::open(path).map_err(unreadable)?;
+    let file = files::open(Path::new(path)).map_err(unreadable)?;
     file.take(allowed).read_to_end(&mut bytes).map_err(unreadable)?;
     Ok((path.to_owned(), bytes))
 }

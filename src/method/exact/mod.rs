@@ -18,7 +18,7 @@ use rustc_hash::FxHashMap;
 
 use super::{Method, Options, Report, Solution, Solver};
 use crate::decompose::{Closure, Decomposition, close};
-use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::diagnostic::{Code, Diagnostic, Shortest, Span};
 use crate::eval::{Backend, Evaluator, Program, compile};
 use crate::expr::{ExprId, Notation};
 use crate::limits::Limits;
@@ -69,6 +69,7 @@ impl Method for Exact {
             if (1e-15..=1e-2).contains(&tolerance) {
                 return Ok(tolerance);
             }
+            let tolerance = Shortest(tolerance);
             let message = format!("the tolerance {tolerance} lies outside [1e-15, 1e-2]");
             Err(Diagnostic::new(Code::SettingOutOfRange, message).at(origin))
         })?;

@@ -14,7 +14,7 @@ use nalgebra::DMatrix;
 use super::equation::{Discretisation, Equation, place};
 use super::{Fit, Options, Report, Size, Solution};
 use crate::decompose::{Decomposition, bounded_derivative};
-use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, Shortest, Span};
 use crate::eval::{Backend, Evaluator, Program, Samples, compile};
 use crate::expr::{Derivative, ExprId};
 use crate::limits::Limits;
@@ -181,7 +181,8 @@ impl Fitting {
             .map_err(|error| Diagnostic::new(Code::SolutionNotFinite, error.to_string()))?;
         let Some(at) = values.iter().position(|value| !value.is_finite()) else { return Ok(values) };
         let point = at % u.len().max(1);
-        let [u, v] = [u, v].map(|all| all.get(point).copied().unwrap_or(f64::NAN));
+        let [u, v] = [u, v].map(|all| Shortest(all.get(point).copied().unwrap_or(f64::NAN)));
+        let t = Shortest(t);
         let message = format!("the force is not finite at u = {u}, v = {v}, t = {t}");
         Err(Diagnostic::new(Code::DataNotFinite, message).at(self.operator_origin))
     }
@@ -249,9 +250,10 @@ impl Fitting {
         }
         let names: Vec<String> = dependent.iter().map(|j| format!("F{}", j + 1)).collect();
         let message = format!(
-            "the points determine {rank} of {unknowns} terms of {name}: on them {} depend on each other at t = {t}; \
+            "the points determine {rank} of {unknowns} terms of {name}: on them {} depend on each other at t = {}; \
              the smallest solution is taken",
-            names.join(", ")
+            names.join(", "),
+            Shortest(t)
         );
         finding(message).hint("fit each basis function alone (`fit = per-basis`), or use more points")
     }

@@ -2,7 +2,7 @@
 
 use super::apex::apex;
 use super::solver::FourSidedSolver;
-use crate::diagnostic::{Code, Diagnostic, Diagnostics};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, Shortest};
 use crate::expr::Derivative;
 use crate::method::Report;
 use crate::numeric::{NodeKind, nodes};
@@ -34,7 +34,7 @@ impl FourSidedSolver {
                 (0..along.len()).map(|sample| [0, 1, 2].map(|axis| value(axis, sample))).collect()
             };
             for (index, end) in ends.into_iter().enumerate() {
-                let place = format!("{name} = {end}");
+                let place = format!("{name} = {}", Shortest(end));
                 let (positions, tangents) = (vectors(2 * index), vectors(2 * index + 1));
                 warnings.extend(apex(&place, &positions, &tangents, size, self.boundary));
             }
@@ -56,7 +56,8 @@ impl FourSidedSolver {
         let corners = sides.corners(params, t, 0)?;
         let place = |corner: &Corner| {
             let [i, j] = corner.ends;
-            format!("u = {}, v = {}", if i == 0 { low_u } else { high_u }, if j == 0 { low_v } else { high_v })
+            let (u, v) = (if i == 0 { low_u } else { high_u }, if j == 0 { low_v } else { high_v });
+            format!("u = {}, v = {}", Shortest(u), Shortest(v))
         };
         // Written so that NaN does not meet.
         let meets = |differences: &[f64], units: &[f64]| {

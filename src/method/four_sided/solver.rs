@@ -8,7 +8,7 @@ use super::known::{Equations, Frame, Known};
 use super::system::System;
 use super::weak_form::{Part, Table, add_matrix, add_vector};
 use super::{FourSided, MORE_NODES, ORDER, ORDERS};
-use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, Shortest, Span};
 use crate::eval::{Evaluator, Samples};
 use crate::expr::Derivative;
 use crate::method::{Method, Report, Solution, Solver};
@@ -128,6 +128,7 @@ impl FourSidedSolver {
             let functionals: Vec<(f64, usize)> = [low, low, high, high].into_iter().zip(ORDERS).collect();
             let family = Arc::new(IntegratedLegendre::new(ORDER, count));
             CorrectedTrial::new(family, count, range, &functionals).map(Arc::new).ok_or_else(|| {
+                let (low, high) = (Shortest(low), Shortest(high));
                 let message = format!("position and tangent at {low} and {high} do not determine a cubic");
                 Diagnostic::new(Code::DependentConstraints, message).at(self.boundary)
             })

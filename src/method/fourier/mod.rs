@@ -16,7 +16,7 @@ use std::sync::Arc;
 
 use super::{Method, Numbers, Options, Report, Solution, Solver, Truncation};
 use crate::decompose::{Decomposition, close};
-use crate::diagnostic::{Code, Diagnostic, Diagnostics};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, Shortest};
 use crate::eval::{Backend, Evaluator, Program, Samples, compile};
 use crate::expr::ExprId;
 use crate::limits::Limits;
@@ -105,6 +105,7 @@ fn length(options: &Options) -> Result<Length, Diagnostic> {
     if let Some((tolerance, origin)) = options.settings.tolerance
         && !(1e-14..=1e-2).contains(&tolerance)
     {
+        let tolerance = Shortest(tolerance);
         let message = format!("the tolerance {tolerance} lies outside [1e-14, 1e-2]");
         return Err(Diagnostic::new(Code::SettingOutOfRange, message).at(origin));
     }

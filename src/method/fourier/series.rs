@@ -8,7 +8,7 @@ use std::sync::{Arc, OnceLock};
 
 use super::ends::{Ends, MOST_DERIVATIVES};
 use crate::decompose::Decomposition;
-use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::diagnostic::{Code, Diagnostic, Shortest, Span};
 use crate::eval::{Backend, Evaluator, Program, Samples, compile};
 use crate::expr::{Derivative, ExprId, Graph, Notation};
 use crate::numeric::trigonometric_coefficients;
@@ -132,7 +132,7 @@ impl BoundaryData {
         if let Some(at) = values.iter().position(|value| !value.is_finite()) {
             let (name, origin) = self.name(at / v.len().max(1));
             let (value, v) = (values.get(at).copied(), v.get(at % v.len().max(1)).copied());
-            let [value, v] = [value, v].map(|number| number.unwrap_or(f64::NAN));
+            let [value, v, t] = [value, v, Some(t)].map(|number| Shortest(number.unwrap_or(f64::NAN)));
             return Err(Diagnostic::new(Code::DataNotFinite, format!("{name} is {value} at v = {v}, t = {t}"))
                 .at(origin)
                 .hint("boundary data must be finite on the whole domain; change the function or the domain"));

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use super::fitting::{Fitted, Fitting, Group, Plan, fit, groups};
 use super::{Fit, Method, Options, Size, Solution, Solver, Systems, Terms};
 use crate::decompose::Decomposition;
-use crate::diagnostic::{Class, Code, Diagnostic};
+use crate::diagnostic::{Class, Code, Diagnostic, Shortest};
 use crate::limits::Limits;
 use crate::numeric::NodeKind;
 use crate::trial::IntegratedLegendre;
@@ -89,6 +89,7 @@ fn tolerance(options: &Options) -> Result<f64, Diagnostic> {
         None => Ok(DEFAULT_TOLERANCE),
         Some((tolerance, _)) if (1e-15..=1e-2).contains(&tolerance) => Ok(tolerance),
         Some((tolerance, origin)) => {
+            let tolerance = Shortest(tolerance);
             let message = format!("the tolerance {tolerance} lies outside [1e-15, 1e-2]");
             Err(Diagnostic::new(Code::SettingOutOfRange, message).at(origin))
         }

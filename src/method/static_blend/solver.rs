@@ -8,7 +8,7 @@ use super::StaticBlend;
 use super::collocation::{Collocation, along_u};
 use super::modes::{BlendModes, CARDINAL};
 use super::null_space::smallest_exponent;
-use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, Shortest, Span};
 use crate::eval::{Evaluator, Samples};
 use crate::expr::Derivative;
 use crate::method::{Method, Report, Size, Solution, Solver};
@@ -248,7 +248,7 @@ impl StaticSolver {
         if self.terms.iter().all(|term| term.v == 0) {
             return Ok(None);
         }
-        let [low, high] = range_v;
+        let [low, high] = range_v.map(Shortest);
         let base = format!("nothing is stated at v = {low} and v = {high}, so other solutions have the same boundary");
         let exponent = self.smallest_exponent(collocation, range_u[1] - range_u[0]);
         let finding = match exponent {
@@ -345,7 +345,7 @@ impl StaticSolver {
         if widest <= CLOSED * size {
             return Ok(None);
         }
-        let [from, to] = range_v;
+        let [from, to] = range_v.map(Shortest);
         let message = format!(
             "the trimlines close, the surface between them does not: v = {from} and v = {to} lie up to {widest:.1e} apart"
         );

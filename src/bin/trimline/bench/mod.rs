@@ -13,6 +13,7 @@ use std::time::Duration;
 
 use clap::Args;
 use serde_json::{Map, Value};
+use trimline::diagnostic::Shortest;
 use trimline::expr::Derivative;
 
 use crate::Outcome;
@@ -37,11 +38,11 @@ pub struct Arguments {
     collocation: Collocation,
 
     /// Vertices along u and v of the grid that is evaluated.
-    #[arg(long, value_name = "NUxNV", default_value = "1000x1000")]
+    #[arg(long, value_name = "NUxNV", default_value = "1000x1000", allow_hyphen_values = true)]
     grid: String,
 
     /// How long each figure is measured.
-    #[arg(long, value_name = "SECONDS", default_value_t = 0.3, allow_negative_numbers = true)]
+    #[arg(long, value_name = "SECONDS", default_value_t = 0.3)]
     seconds: f64,
 
     /// How to print.
@@ -170,7 +171,8 @@ fn text(subject: &Subject<'_>, machine: &Machine, rows: &[Row]) -> String {
     let (method, functions) = (report.method, report.basis_size);
     let mut text = format!(
         "patch {name}: method {method}, {functions} basis functions, t = {}\none thread, {}\n\n",
-        subject.solved.time, machine.instructions
+        Shortest(subject.solved.time),
+        machine.instructions
     );
     for row in rows {
         let value = row.value.map_or_else(|| "none".to_owned(), |value| format!("{} {}", rounded(value), row.unit));

@@ -18,7 +18,7 @@ use crate::drawing::{Drawing, is_picture};
 use crate::eval::{print_table, read_derivatives, read_table};
 use crate::failure::{Failure, print_warnings, say};
 use crate::mesh::{Series, format_of, write_animation};
-use crate::options::{Format, Solving, Terminal, option_finding, read_grid};
+use crate::options::{Format, Solving, Terminal, option_finding, read_count, read_grid};
 use crate::output;
 
 use shapes::{Pair, Shapes, Surfaces, about};
@@ -40,11 +40,11 @@ pub struct Arguments {
 
     /// Frames between source and target [default: what the spec states, else 9; with modes as many as both have, with
     /// both one more].
-    #[arg(long, value_name = "M")]
+    #[arg(long, value_name = "M", value_parser = read_count)]
     steps: Option<usize>,
 
     /// One frame: 0 is the source, M + 1 the target.
-    #[arg(long, value_name = "I", conflicts_with = "at")]
+    #[arg(long, value_name = "I", value_parser = read_count, conflicts_with = "at")]
     frame: Option<usize>,
 
     /// One frame by the weight of the target, from 0 to 1.
@@ -56,7 +56,7 @@ pub struct Arguments {
     output: Option<PathBuf>,
 
     /// Quads across (u) and along (v).
-    #[arg(long, value_name = "NUxNV", default_value = "64x128")]
+    #[arg(long, value_name = "NUxNV", default_value = "64x128", allow_hyphen_values = true)]
     grid: String,
 
     #[command(flatten)]

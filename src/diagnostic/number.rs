@@ -3,9 +3,15 @@
 use std::fmt;
 
 /// The shortest decimal that reads back to the same double, in whichever notation stays short.
-pub(super) struct Exact(pub f64);
+///
+/// ```
+/// use trimline::diagnostic::Shortest;
+/// assert_eq!([0.3, 1e300].map(|number| Shortest(number).to_string()), ["0.3", "1e300"]);
+/// ```
+#[derive(Debug, Clone, Copy)]
+pub struct Shortest(pub f64);
 
-impl fmt::Display for Exact {
+impl fmt::Display for Shortest {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let size = self.0.abs();
         // Rust's plain notation never uses an exponent: 1e300 would take 301 digits.
@@ -14,7 +20,8 @@ impl fmt::Display for Exact {
 }
 
 /// The shortest decimal that reads back to the same single.
-pub(super) struct Single(pub f32);
+#[derive(Debug, Clone, Copy)]
+pub struct Single(pub f32);
 
 impl fmt::Display for Single {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -29,7 +36,7 @@ mod tests {
 
     #[test]
     fn numbers_are_written_as_short_as_they_read_back() {
-        let written = |x: f64| Exact(x).to_string();
+        let written = |x: f64| Shortest(x).to_string();
         assert_eq!(written(0.1), "0.1");
         assert_eq!(written(1.0), "1");
         assert_eq!(written(-0.0), "-0");
@@ -44,7 +51,7 @@ mod tests {
     fn awkward_numbers_read_back_bit_for_bit() {
         let awkward = [f64::MIN_POSITIVE, 5e-324, f64::MAX, 1.0 / 3.0, 1e-5, 9.999999999999999e-6, 1e17, 2f64.powi(60)];
         for x in awkward.into_iter().flat_map(|x| [x, -x]) {
-            let read: f64 = Exact(x).to_string().parse().unwrap();
+            let read: f64 = Shortest(x).to_string().parse().unwrap();
             assert_eq!(read.to_bits(), x.to_bits(), "{x:e}");
         }
         for x in [f32::MAX, f32::MIN_POSITIVE, 1e-45, 1.0 / 3.0, 16_777_217.0, 1e-5, 1e9] {
