@@ -30,6 +30,8 @@ mod exact;
 mod explanation;
 mod exports;
 mod fields;
+#[cfg(feature = "cli")]
+mod figures;
 mod fitting;
 mod formatting;
 mod four_sided;

@@ -9,10 +9,10 @@ use trimline::net::{SolvedNet, fill};
 use trimline::surface::KnotVector;
 
 use crate::bspline::distance;
-use crate::spec::{NAME, all_examples, at, example, told};
+use crate::spec::{NAME, all_examples, at, data_file, example, told};
 
 fn blend(text: &str) -> Blend {
-    let compiled = Blend::compile(&Source::new(NAME, text), &Options::default());
+    let compiled = Blend::compile_with(&Source::new(NAME, text), data_file, &Options::default());
     compiled.unwrap_or_else(|found| panic!("{text}\n{}", told(text, &found)))
 }
 
@@ -38,6 +38,13 @@ fn net_over_equal_knots_from_a_catenoid_is_the_reference() {
     let net = filled(&example("p2_ex2"), 0.0);
     // The reference is exact in the layers' doubles, which are a few roundings from ours.
     assert!(relative_distance(net.filled.surface.net(), &net_of("p2_n7_catenoid_uniform")) <= 1e-14);
+}
+
+#[test]
+fn net_over_equal_knots_from_a_table_is_the_reference() {
+    let net = filled(&example("p2_ex1"), 0.0);
+    assert!(relative_distance(net.filled.surface.net(), &net_of("p2_n5_uniform")) <= 1e-14);
+    assert_eq!(net.filled.surface.domain(), [[3.0, 6.0]; 2]);
 }
 
 #[test]
