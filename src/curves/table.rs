@@ -37,6 +37,18 @@ pub enum TableFault {
         /// Columns of this row.
         found: usize,
     },
+    /// A row ends before one of the three columns.
+    #[error("row {row} has no column {column}: it has {found} columns where {expected} are expected")]
+    Short {
+        /// Counted from 1.
+        row: usize,
+        /// The first of the columns that is missing.
+        column: &'static str,
+        /// Columns of the first row; three without names.
+        expected: usize,
+        /// Columns of this row.
+        found: usize,
+    },
     /// An entry is no finite number.
     #[error("row {row}, column {column}: `{text}` is not a finite number")]
     NotANumber {
@@ -94,8 +106,13 @@ pub fn read_points(bytes: &[u8], allowed: usize) -> Result<Vec<(usize, [f64; 3])
     let mut points = Vec::new();
     for (row, line) in lines {
         let cells = cells(line);
-        if cells.len() != expected {
-            return Err(TableFault::Ragged { row, expected, found: cells.len() });
+        let found = cells.len();
+        if found != expected {
+            let missing = places.into_iter().zip(COLUMNS).filter(|(place, _)| *place >= found).min();
+            return Err(match missing {
+                Some((_, column)) => TableFault::Short { row, column, expected, found },
+                None => TableFault::Ragged { row, expected, found },
+            });
         }
         if points.len() >= allowed {
             return Err(TableFault::TooMany { allowed });
@@ -152,12 +169,13 @@ mod tests {
     #[test]
     fn faults_name_row_and_column() {
         let told = |text: &str| read(text).expect_err("at fault").to_string();
-        assert_eq!(told("x,y,z\n1,2\n"), "row 2 has 2 columns where 3 are expected");
+        assert_eq!(told("z,x,y\n1\n"), "row 2 has no column x: it has 1 columns where 3 are expected");
+        assert_eq!(told("x,y,z,name\n1,2,3\n"), "row 2 has 3 columns where 4 are expected");
         assert_eq!(told("1,2,3\n\n1,nan,3"), "row 3, column y: `nan` is not a finite number");
         assert_eq!(told("1,2,3\n1,2,"), "row 2, column z: `` is not a finite number");
         assert_eq!(told("x,y\n1,2"), "row 1: the names of the columns are `x`, `y`, and `z` is not among them");
         assert_eq!(told("x,y,z,x\n1,2,3,4"), "row 1: two columns are called `x`");
-        assert_eq!(told("1,2\n"), "row 1 has 2 columns where 3 are expected");
+        assert_eq!(told("1,2\n"), "row 1 has no column z: it has 2 columns where 3 are expected");
         assert_eq!(told("# nothing\nx,y,z\n"), "it holds no points");
         assert_eq!(told(&"1 2 3\n".repeat(5)), "it holds more than 4 points");
         assert_eq!(read_points(&[0xff], 4), Err(TableFault::NotText));

@@ -47,7 +47,10 @@ fn faults_of_files_have_their_status_and_their_place_in_the_spec() {
         (status(&output), text(&output.stderr))
     };
     let (code, errors) = told(&["check", &spec]);
-    assert!(code == 1 && errors.contains("E0222") && errors.contains("data/ring.csv: row 1 has 2 columns"), "{errors}");
+    assert!(
+        code == 1 && errors.contains("E0222") && errors.contains("data/ring.csv: row 1 has no column z"),
+        "{errors}"
+    );
     assert!(errors.contains("spec.trim:1:18"), "{errors}");
     let (code, errors) = told(&["check", &spec, "--limits", "file-bytes=3"]);
     assert!(code == 4 && errors.contains("`file-bytes` of 3"), "{errors}");

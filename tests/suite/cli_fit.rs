@@ -5,7 +5,7 @@ use serde_json::Value;
 use trimline::limits::Limits;
 use trimline::surface::bspline::from_json;
 
-use crate::cli::{Folder, done, example, status, text, trimline};
+use crate::cli::{self, Folder, done, example, status, trimline};
 
 #[test]
 fn fit_writes_every_format_and_says_how_close_it_is() {
@@ -14,7 +14,7 @@ fn fit_writes_every_format_and_says_how_close_it_is() {
         let target = folder.path(&format!("part.{extension}")).to_string_lossy().into_owned();
         let output = trimline(&["fit", &example("eq19.trim"), "-o", &target, "--tolerance", "1e-4", "--time", "0.2"]);
         assert!(done(&output).is_empty(), "the report for people goes to standard error");
-        let said = text(&output.stderr);
+        let said = cli::text(&output.stderr);
         assert!(said.contains("closed in v; largest deviation") && said.contains("of 1.0e-4 allowed"), "{said}");
         assert_eq!(folder.files(), [format!("part.{extension}")]);
     }
@@ -55,10 +55,56 @@ fn bad_requests_have_their_status_and_leave_nothing() {
         let folder = Folder::new();
         let target = folder.path(name).to_string_lossy().into_owned();
         let output = trimline(&[&["fit", &example("eq19.trim"), "-o", &target], *options].concat());
-        let said = text(&output.stderr);
+        let said = cli::text(&output.stderr);
         assert_eq!(status(&output), *expected, "{options:?}: {said}");
         assert!(said.contains(words), "{options:?}: {said}");
         assert!(output.stdout.is_empty(), "{options:?}");
         assert_eq!(folder.files(), Vec::<String>::new(), "{options:?}");
+    }
+}
+
+#[test]
+fn bad_nets_and_imports_are_one_error_and_nothing_is_written() {
+    let net = |inside: &str| format!("bspline b {{\n{inside}\n}}\n");
+    let from_formula = |knots: &str| net(&format!("knots {knots} in u\nnet 5 x 5 from [i, j, 0]"));
+    let table = |rows: &str| (net("net 3 x 3 from points(\"part.csv\")"), "part.csv", rows.to_owned());
+    let import = |name: &'static str, face: &str, contents: &str| {
+        let declared = format!("surface A = bspline(\"{name}\"{face})\ndomain v in [0, 1]\n");
+        let text = declared + "at u = 0: S = A(1, v), ∂S/∂u = 0\nat u = 1: S = [v, 3, 0], ∂S/∂u = 0\n";
+        (text, name, contents.to_owned())
+    };
+    let plain = |text: String| (text, "part.csv", String::new());
+    let flat = r#"{"patches":[{"name":"p","degree":[1,1],"knots_u":[0,0,1,1],"knots_v":[0,0,1,1],"control_net":[[[0,0,0],[0,1,0]],[[1,0,0],[1,1,0]]]}]}"#;
+    let point = "0,0,0\n";
+    for ((text, name, contents), words) in [
+        (plain(net("net 2 x 5 from [i, j, 0]")), "error[E0603]"),
+        (plain(net("net 5 x 5")), "error[E0"),
+        (table(&point.repeat(15)), "error[E0222]: part.csv: a net 3 x 3 has 16 points, and it holds 15"),
+        (plain(from_formula("[0, 0, 0, 0, 1, 1, 2, 2, 2, 2]")), "error[E0602]: the knot 1 of u stands 2 times"),
+        (plain(from_formula("[0, 0, 0, 0, 2, 1, 3, 3, 3, 3]")), "error[E0601]: the knots descend from 2 to 1"),
+        (plain(net("net 5 x 5 from [1/(i - 1), j, 0]")), "error[E0604]: the control point P(1, 0) is [inf, 0, 0]"),
+        (
+            table(&(point.repeat(4) + "0,1e999,0\n")),
+            "error[E0222]: part.csv: row 5, column y: `1e999` is not a finite number",
+        ),
+        (table(&(point.repeat(2) + "0,0\n")), "error[E0222]: part.csv: row 3 has no column z"),
+        (
+            import("part.step", "", "ISO-10303-21;\nDATA;\n#1=PLANE('',#2);\nENDSEC;\n"),
+            "error[E0609]: part.step: the STEP file has no face",
+        ),
+        (import("part.json", ", face = 2", flat), "error[E0609]: part.json: there is no face 2"),
+        (import("part.json", ", face = 0", flat), "error[E0609]: part.json: there is no face 0"),
+    ] {
+        let folder = Folder::new();
+        let spec = folder.spec(&text);
+        std::fs::write(folder.path(name), &contents).expect("the folder can be written");
+        for target in ["out.step", "out.igs", "out.json"] {
+            let target = folder.path(target).to_string_lossy().into_owned();
+            let output = trimline(&["fit", &spec, "-o", &target]);
+            let said = cli::text(&output.stderr);
+            assert_eq!(status(&output), 1, "{text}{said}");
+            assert!(said.starts_with(words) && said.matches("error[").count() == 1, "{words}\n{said}");
+        }
+        assert_eq!(folder.files(), [name, "spec.trim"], "{text}");
     }
 }

@@ -142,7 +142,7 @@ fn text_of_a_curve_and_its_derivatives_reads_back_as_the_same_expression() {
 
 #[test]
 fn faults_of_a_data_file_name_its_row_and_column() {
-    assert_eq!(refusal("1,2,3\n1,2\n"), "E0222 ring.csv: row 2 has 2 columns where 3 are expected");
+    assert_eq!(refusal("1,2,3\n1,2\n"), "E0222 ring.csv: row 2 has no column z: it has 2 columns where 3 are expected");
     assert_eq!(refusal("x,y,z\n1,inf,3\n"), "E0222 ring.csv: row 2, column y: `inf` is not a finite number");
     assert_eq!(refusal("1,2,3\n"), "E0222 ring.csv: a closed curve needs 6 points or more, found 1");
     assert_eq!(refusal("0,0,0\n1,0,0\n1,0,0\n"), "E0222 ring.csv: rows 2 and 3 hold the same point");

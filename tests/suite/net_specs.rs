@@ -135,7 +135,7 @@ fn files_that_are_no_table_of_the_net_are_refused_with_what_is_wrong() {
     };
     assert_eq!(told(&format!("{whole}0,0,0\n")), "net.csv: a net 3 x 4 has 20 points, and it holds more");
     assert_eq!(told("0,0,0\n"), "net.csv: a net 3 x 4 has 20 points, and it holds 1");
-    assert_eq!(told("0,0,0\n0,0\n"), "net.csv: row 2 has 2 columns where 3 are expected");
+    assert_eq!(told("0,0,0\n0,0\n"), "net.csv: row 2 has no column z: it has 2 columns where 3 are expected");
     assert_eq!(told("0,0,0\n0,inf,0\n"), "net.csv: row 2, column y: `inf` is not a finite number");
     let text = "bspline b {\nnet 3 x 4 from points(\"net.csv\")\n}\n";
     let found = Blend::compile(&Source::new(NAME, text), &Options::default()).err().expect("no file");
