@@ -24,7 +24,7 @@ pub use operator::{PdeOperator, PdeTerm, STANDARD_COEFFICIENTS};
 pub use parameters::{Bindings, Parameter, ParameterKind};
 pub use placement::{PatchCopy, Placement};
 pub use reach::check_reach;
-pub use surface::{Join, PrimarySurface, Seam, SeamEdge};
+pub use surface::{Join, PrimarySurface, Seam, SeamEdge, SidePart};
 
 use crate::diagnostic::{Shortest, Span};
 use crate::expr::{Derivative, ExprId, Graph, Notation, Variable};

@@ -77,6 +77,15 @@ pub struct SeamEdge {
     pub across: Variable,
     /// Its value, constant.
     pub position: ExprId,
-    /// Where the part begins and ends, as shares of the other coordinate's range; `[0, 1]` is the whole side.
-    pub part: [f64; 2],
+    /// How much of it.
+    pub part: SidePart,
+}
+
+/// Which part of a side, by the coordinate that runs along it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum SidePart {
+    /// From one share of the coordinate's range to another; `[0, 1]` is the whole side.
+    Shares([f64; 2]),
+    /// From one value to another, both constant.
+    Values([ExprId; 2]),
 }

@@ -7,7 +7,7 @@ use super::reading::Reading;
 use super::scope::{Meaning, Scope, Value};
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::{Derivative, ExprId, Variable};
-use crate::problem::{Bindings, Patch, Seam, SeamEdge};
+use crate::problem::{Bindings, Patch, Seam, SeamEdge, SidePart};
 use crate::syntax::ast::{Edge, Join};
 
 /// What a declared edge is.
@@ -159,7 +159,8 @@ pub fn seams(patches: &[Patch], bindings: &Bindings, reading: &mut Reading<'_>) 
             for side in [first, second] {
                 let Some(patch) = patches.iter().position(|patch| patch.name == side.patch) else { continue };
                 let of_side = part.map(|share| (share - side.of_edge[0]) / (side.of_edge[1] - side.of_edge[0]));
-                sides.push(SeamEdge { patch, across: side.across, position: side.position, part: of_side });
+                let part = SidePart::Shares(of_side);
+                sides.push(SeamEdge { patch, across: side.across, position: side.position, part });
             }
             let Ok([a, b]) = <[SeamEdge; 2]>::try_from(sides) else { continue };
             if edge.is_smooth {
@@ -227,7 +228,8 @@ fn compare(
             for (side, patch, domain) in [(&sides[0], a?, &domain_a), (&sides[1], b?, &domain_b)] {
                 let tangent = tangent_of(patch, side)?;
                 let range = if side.across == Variable::U { domain.v } else { domain.u };
-                let at = range[0] + (range[1] - range[0]) * (side.part[0] + (side.part[1] - side.part[0]) * share);
+                let SidePart::Shares([begin, end]) = side.part else { return None };
+                let at = range[0] + (range[1] - range[0]) * (begin + (end - begin) * share);
                 let tangent = tangent.map(|expr| graph.value(expr, params, [at, at, t]));
                 normals.push(cross(slope, tangent));
             }

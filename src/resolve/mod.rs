@@ -24,6 +24,7 @@ mod prelude;
 mod reading;
 mod review;
 mod scope;
+mod seam;
 mod surface;
 
 pub use review::review;
@@ -80,8 +81,8 @@ pub fn resolve(document: &Document, name: &str, limits: &Limits) -> Result<Probl
         let parts = (0..problem.patches.len() + problem.nets.len()).filter_map(|index| problem.part_name(index));
         let parts: Vec<String> = parts.map(str::to_owned).collect();
         problem.copies = copies::resolve(document, &problem.patches, &parts, &scope, bindings, &mut reading);
-        let parts = patch::Parts { patches: &problem.patches, nets: &problem.nets, copies: &problem.copies };
-        problem.seams = patch::seams(document, parts, &scope, bindings, &mut reading);
+        let parts = seam::Parts { patches: &problem.patches, nets: &problem.nets, copies: &problem.copies };
+        problem.seams = seam::seams(document, parts, &scope, bindings, &mut reading);
         problem.seams.extend(edges::seams(&problem.patches, bindings, &mut reading));
     }
     if reading.found.is_empty() {

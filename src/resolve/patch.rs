@@ -6,16 +6,13 @@ use super::deformation;
 use super::edges;
 use super::equation;
 use super::loops;
-use super::lower::Lowering;
-use super::reading::{Fault, Reading};
+use super::reading::Reading;
 use super::scope::Scope;
-use crate::diagnostic::{Code, Diagnostic, Shortest, Span};
+use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::Variable;
 use crate::multisided::close_at_apex;
-use crate::problem::{
-    Bindings, Domain, Net, Parameter, Patch, PatchCopy, PdeOperator, RequestedSetting, Seam, SeamEdge, SolveRequest,
-};
-use crate::syntax::ast::{self, Document, Name, PatchBlock, PdeStatement, Range, SolveStatement, Statements};
+use crate::problem::{Bindings, Domain, Parameter, Patch, PdeOperator, RequestedSetting, SolveRequest};
+use crate::syntax::ast::{Document, Name, PatchBlock, PdeStatement, Range, SolveStatement, Statements};
 
 /// A patch whose boundary is still to be read.
 pub struct Section<'a> {
@@ -140,92 +137,6 @@ fn patch(section: Section<'_>, bindings: Option<&Bindings>, reading: &mut Readin
     }
     edges::name_uses(&patch.name, reading);
     Some(patch)
-}
-
-/// The parts of a document that can meet: patches, nets and copies of both.
-#[derive(Clone, Copy)]
-pub struct Parts<'a> {
-    /// Patches, loops already divided.
-    pub patches: &'a [Patch],
-    /// B-spline nets.
-    pub nets: &'a [Net],
-    /// Copies.
-    pub copies: &'a [PatchCopy],
-}
-
-impl Parts<'_> {
-    /// What part number `index` is, or is a copy of.
-    fn original(&self, index: usize) -> usize {
-        let copy = index.checked_sub(self.patches.len() + self.nets.len()).and_then(|index| self.copies.get(index));
-        copy.map_or(index, |copy| copy.original)
-    }
-
-    fn names(&self) -> Vec<&str> {
-        let own = self.patches.iter().map(|patch| patch.name.as_str());
-        let own = own.chain(self.nets.iter().map(|net| net.name.as_str()));
-        own.chain(self.copies.iter().map(|copy| copy.name.as_str())).collect()
-    }
-}
-
-/// The seams that are stated between `parts`.
-pub fn seams(
-    document: &Document,
-    parts: Parts<'_>,
-    scope: &Scope<'_>,
-    bindings: &Bindings,
-    reading: &mut Reading<'_>,
-) -> Vec<Seam> {
-    let mut seams = Vec::with_capacity(document.seams.len());
-    for seam in &document.seams {
-        let edges = seam.edges.each_ref().map(|edge| {
-            let edge = seam_edge(edge, parts, bindings, &mut reading.lowering(scope));
-            reading.keep(edge)
-        });
-        if let [Some(first), Some(second)] = edges {
-            seams.push(Seam { edges: [first, second], is_smooth: false, origin: Some(seam.span) });
-        }
-    }
-    seams
-}
-
-fn seam_edge(
-    edge: &ast::SeamEdge,
-    parts: Parts<'_>,
-    bindings: &Bindings,
-    lowering: &mut Lowering<'_>,
-) -> Result<SeamEdge, Fault> {
-    let name = &edge.patch;
-    let known = parts.names();
-    let Some(index) = known.iter().position(|known| *known == name.text) else {
-        let finding = Diagnostic::new(Code::UnknownName, format!("there is no patch `{}`", name.text)).at(name.span);
-        return Err(finding.hint(format!("patches: {}", known.join(", "))).into());
-    };
-    let Parts { patches, nets, .. } = parts;
-    let original = parts.original(index);
-    let across = match edge.variable.text.as_str() {
-        "u" => Variable::U,
-        "v" if patches.get(original).is_some_and(Patch::is_four_sided) => Variable::V,
-        other => {
-            let message = format!("patches meet at values of u, or of v if they have four sides, not of `{other}`");
-            return Err(Diagnostic::new(Code::UnexpectedText, message).at(edge.variable.span).into());
-        }
-    };
-    let u = lowering.constant(edge.position, "the position of a seam")?;
-    let place = lowering.tree.span(edge.position);
-    let domain = match (patches.get(original), nets.get(original.saturating_sub(patches.len()))) {
-        (Some(patch), _) => patch.domain.evaluate_in(lowering.graph, bindings)?,
-        (None, Some(net)) => net.domain_in(lowering.graph, bindings)?,
-        (None, None) => return Err(Fault::Follows),
-    };
-    let [low, high] = if across == Variable::U { domain.u } else { domain.v };
-    let position = bindings.constant_in(lowering.graph, u, Some(place), "the position of a seam")?;
-    if (low..=high).contains(&position) {
-        return Ok(SeamEdge { patch: index, across, position: u, part: [0.0, 1.0] });
-    }
-    let (position, low, high) = (Shortest(position), Shortest(low), Shortest(high));
-    let message =
-        format!("{0} = {position} lies outside the domain {0} in [{low}, {high}] of `{1}`", across.name(), name.text);
-    Err(Diagnostic::new(Code::DependentConstraints, message).at(place).into())
 }
 
 /// Refuses too many patches, two of one name, and constraints that belong to none of them.

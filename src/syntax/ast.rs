@@ -53,15 +53,17 @@ pub struct Seam {
     pub span: Span,
 }
 
-/// `A at u = 1`
+/// `A at u = 1`, `A at u = 1, v in [0, 1/2]`
 #[derive(Debug, Clone, PartialEq)]
 pub struct SeamEdge {
     /// The patch.
     pub patch: Name,
-    /// The name before the `=`, which must be `u`.
+    /// The name before the `=`: u, or v of a patch with four sides.
     pub variable: Name,
-    /// The value of u.
+    /// Its value.
     pub position: Expression,
+    /// The range of the other coordinate, for a part of the side.
+    pub along: Option<Range>,
 }
 
 /// The statements that a patch may consist of.

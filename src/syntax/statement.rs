@@ -292,7 +292,9 @@ impl Builder<'_> {
     fn seam_edge(&mut self, part: Option<Parsed<'_>>) -> Result<SeamEdge, Diagnostic> {
         let mut inner = part.ok_or_else(internal)?.into_inner().filter(|part| part.as_rule() != Rule::kw_at);
         let (patch, variable) = (self.take_name(&mut inner)?, self.take_name(&mut inner)?);
-        Ok(SeamEdge { patch, variable, position: self.take_expression(&mut inner)? })
+        let position = self.take_expression(&mut inner)?;
+        let along = inner.next().map(|range| self.range(range)).transpose()?;
+        Ok(SeamEdge { patch, variable, position, along })
     }
 
     fn parameter(&mut self, part: Parsed<'_>) -> Result<Parameter, Diagnostic> {

@@ -7,10 +7,12 @@
 mod apex;
 mod contact;
 mod join;
+mod overlap;
 mod seam;
 
 pub use apex::{ApexDeviation, verify_apexes};
 pub use join::{JoinDeviation, verify_joins};
+pub use overlap::{Curve, Parts, common_part};
 pub use seam::{Edge, Line, SeamDeviation};
 
 use crate::diagnostic::{Code, Diagnostic, Shortest, Span};

@@ -1,6 +1,6 @@
 //! Judges how two patches meet along edges of constant u or v.
 
-use super::contact::{Vector, angle_degrees, distance, normals, turn_degrees, worse};
+use super::contact::{Vector, angle_degrees, difference, distance, dot, normals, turn_degrees, worse};
 use crate::diagnostic::Diagnostic;
 use crate::expr::{Derivative, Variable};
 use crate::surface::Surface;
@@ -9,6 +9,8 @@ use crate::surface::Surface;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Edge {
     places: Vec<Place>,
+    /// The lower and the upper corner of the box around them.
+    bounds: [Vector; 2],
 }
 
 /// Where on a patch an edge lies.
@@ -76,19 +78,52 @@ impl Edge {
         };
         let places = points.into_iter().zip(normals).zip(tangents);
         let place = |((point, normal), (across, along))| Place { point, normal, outward: out_of(across), along };
-        Ok(Edge { places: places.map(place).collect() })
+        let places: Vec<Place> = places.map(place).collect();
+        let corner = |start: f64, outer: fn(f64, f64) -> f64| {
+            places.iter().fold([start; 3], |corner, place| {
+                let [[a, b, c], [x, y, z]] = [corner, place.point];
+                [outer(a, x), outer(b, y), outer(c, z)]
+            })
+        };
+        let bounds = [corner(f64::INFINITY, f64::min), corner(f64::NEG_INFINITY, f64::max)];
+        Ok(Edge { places, bounds })
     }
 
     /// The size of the box around the edge.
     #[must_use]
     pub fn extent(&self) -> f64 {
-        let range = |axis: usize| {
-            let values = self.places.iter().filter_map(|place| place.point.get(axis));
-            let (low, high) =
-                values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(*x), high.max(*x)));
-            high - low
-        };
-        range(0).hypot(range(1)).hypot(range(2))
+        let [low, high] = self.bounds;
+        distance(low, high)
+    }
+
+    /// The first point and the last; none if nothing was sampled.
+    #[must_use]
+    pub(super) fn ends(&self) -> [Option<Vector>; 2] {
+        [self.places.first(), self.places.last()].map(|place| place.map(|place| place.point))
+    }
+
+    /// Whether `point` lies in the box around the edge, or beside it by no more than `gap`.
+    pub(super) fn surrounds(&self, point: Vector, gap: f64) -> bool {
+        let [low, high] = self.bounds;
+        let is_between = |((x, low), high): ((&f64, f64), f64)| (low - gap..=high + gap).contains(x);
+        point.iter().zip(low).zip(high).all(is_between)
+    }
+
+    /// Where the straight segments between the samples come nearest to `point`, as a share of the edge.
+    pub(super) fn nearest_share(&self, point: Vector) -> f64 {
+        let segments = self.places.windows(2).enumerate().filter_map(|(index, pair)| {
+            let [a, b] = pair else { return None };
+            let (along, away) = (difference(b.point, a.point), difference(point, a.point));
+            let square = dot(along, along);
+            let share = if square > 0.0 { (dot(along, away) / square).clamp(0.0, 1.0) } else { 0.0 };
+            let left = [0, 1, 2].map(|axis| {
+                let of = |vector: Vector| vector.get(axis).copied().unwrap_or(f64::NAN);
+                of(away) - share * of(along)
+            });
+            Some((dot(left, left), index as f64 + share))
+        });
+        let nearest = segments.min_by(|(one, _), (other, _)| one.total_cmp(other));
+        nearest.map_or(0.0, |(_, at)| at / (self.places.len().max(2) - 1) as f64)
     }
 
     /// Whether the ends and a place between them are no farther apart than `gap` in one of both directions: what

@@ -57,6 +57,8 @@ mod pictures;
 mod polynomial;
 mod reference;
 mod robustness;
+#[cfg(feature = "cli")]
+mod seams;
 mod sides;
 mod spec;
 mod static_blend;

@@ -6,9 +6,9 @@ use serde::Serialize;
 
 use trimline::diagnostic::{Code, Diagnostic, Shortest};
 use trimline::expr::Variable;
-use trimline::problem::{Seam, SeamEdge};
+use trimline::problem::{DomainValues, Seam, SeamEdge, SidePart};
 use trimline::surface::Surface;
-use trimline::verify::{Edge, Line, SeamDeviation};
+use trimline::verify::{Curve, Edge, Line, Parts, SeamDeviation, common_part};
 
 use crate::failure::Failure;
 use crate::parts::Located;
@@ -23,8 +23,8 @@ const CLOSED: f64 = 1e-6;
 /// Degrees by which a surface may turn at an edge that is declared smooth: more can be seen in a reflection.
 const SMOOTH: f64 = 1e-3;
 
-/// All of a side.
-const WHOLE: [f64; 2] = [0.0, 1.0];
+/// Of [`NEAR`]: a part that two sides have in common is longer than this, or it is a corner at which they meet.
+const LONG: f64 = 10.0;
 
 /// An edge of constant u or v.
 #[derive(Clone, Serialize)]
@@ -37,6 +37,9 @@ pub struct EdgePlace {
     /// Which part of the side, as shares of it; not there for a whole side.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub part: Option<[f64; 2]>,
+    /// The same as values of the coordinate that runs along the side.
+    #[serde(skip)]
+    pub along: Option<[f64; 2]>,
 }
 
 /// Two edges with what was measured between them.
@@ -58,7 +61,8 @@ pub struct Place {
     pub patch: usize,
     pub across: Variable,
     pub position: f64,
-    part: [f64; 2],
+    /// From where to where the other coordinate runs; `None` for all of the side.
+    along: Option<[f64; 2]>,
 }
 
 /// A pair of edges, as their places in a list, and, if it is stated, the statement.
@@ -72,20 +76,38 @@ struct Pair<'a> {
 impl Place {
     /// Whether this is all of a side.
     pub fn is_whole(&self) -> bool {
-        self.part == WHOLE
+        self.along.is_none()
+    }
+
+    /// Whether both lie on one side of a patch.
+    fn is_beside(&self, other: &Place) -> bool {
+        (self.patch, self.across) == (other.patch, other.across) && self.position == other.position
+    }
+
+    /// The range along it, in a patch with the ranges of `domain`.
+    fn line(&self, domain: &DomainValues) -> Line {
+        let ranges = [domain.u, domain.v];
+        let [domain, side] = if self.across == Variable::U { ranges } else { [ranges[1], ranges[0]] };
+        Line { across: self.across, position: self.position, domain, along: self.along.unwrap_or(side) }
     }
 }
 
 impl EdgePlace {
-    /// `low at u = 1`
+    /// `low at u = 1`, `low at u = 1, v in [0, 0.5]`
     pub fn describe(&self) -> String {
-        let (name, position) = if let Some(u) = self.u { ("u", u) } else { ("v", self.v.unwrap_or(f64::NAN)) };
-        let part = match self.part {
+        let ([name, other], position) =
+            if let Some(u) = self.u { (["u", "v"], u) } else { (["v", "u"], self.v.unwrap_or(f64::NAN)) };
+        let part = match self.along {
             None => String::new(),
-            Some([start, end]) => format!(" from {start} to {end} of its length"),
+            Some([start, end]) => format!(", {other} in [{}, {}]", shown(start.min(end)), shown(start.max(end))),
         };
         format!("{} at {name} = {}{part}", self.patch, Shortest(position))
     }
+}
+
+/// Seven digits: parts that were found have rounding errors behind them.
+fn shown(value: f64) -> f64 {
+    format!("{value:.6e}").parse().unwrap_or(value)
 }
 
 /// Measures the seams at `times`, at which `surfaces_at` gives those of all patches, and says which of the stated ones
@@ -96,19 +118,15 @@ pub fn measure<P: Located>(
     times: &[f64],
     surfaces_at: impl Fn(f64) -> Result<Vec<Arc<dyn Surface + Send + Sync>>, Failure>,
 ) -> Result<(Vec<SeamReport>, Vec<Diagnostic>), Failure> {
-    let (places, mut pairs) = pairs(spec, parts)?;
+    let (mut places, mut pairs) = pairs(spec, parts)?;
     let mut size = 0.0_f64;
-    for &time in times {
+    for (step, &time) in times.iter().enumerate() {
         let surfaces = surfaces_at(time)?;
         let sample = |place: &Place| -> Result<Edge, Failure> {
             let (Some(surface), Some(part)) = (surfaces.get(place.patch), parts.get(place.patch)) else {
                 return Err(Failure::Machine("an edge of a patch that was not solved".to_owned()));
             };
-            let ranges = [part.domain().u, part.domain().v];
-            let [domain, [low, high]] = if place.across == Variable::U { ranges } else { [ranges[1], ranges[0]] };
-            let along = place.part.map(|share| if share == 1.0 { high } else { low + (high - low) * share });
-            let line = Line { across: place.across, position: place.position, domain, along };
-            Edge::sample(&**surface, line, time).map_err(|finding| spec.fault(finding))
+            Edge::sample(&**surface, place.line(part.domain()), time).map_err(|finding| spec.fault(finding))
         };
         // Each edge once, however many pairs it is in.
         let mut edges: Vec<Option<Edge>> = vec![None; places.len()];
@@ -118,6 +136,28 @@ pub fn measure<P: Located>(
             }
         }
         size = edges.iter().flatten().fold(size, |most, edge| most.max(edge.extent()));
+        if step == 0 {
+            let curve = |index: usize| {
+                let place = places.get(index)?;
+                let (surface, part) = (surfaces.get(place.patch)?, parts.get(place.patch)?);
+                let edge = edges.get(index)?.as_ref()?;
+                Some(Curve { surface: &**surface, line: place.line(part.domain()), edge })
+            };
+            let found = overlaps(&places, &pairs, NEAR * size, |pair, gap| match pair.map(curve) {
+                [Some(a), Some(b)] => common_part([a, b], time, gap).map_err(|finding| spec.fault(finding)),
+                _ => Ok(None),
+            })?;
+            for between in found {
+                let between = between.map(|place| index_of(place, &mut places));
+                edges.resize(places.len(), None);
+                for index in between {
+                    if let (Some(slot @ None), Some(place)) = (edges.get_mut(index), places.get(index)) {
+                        *slot = Some(sample(place)?);
+                    }
+                }
+                pairs.push(Pair { between, stated: None, worst: None, gaps: Default::default() });
+            }
+        }
         let of = |index: usize| edges.get(index).and_then(Option::as_ref);
         for pair in &mut pairs {
             let [Some(a), Some(b)] = pair.between.map(of) else { continue };
@@ -129,8 +169,12 @@ pub fn measure<P: Located>(
             pair.gaps = a.gaps(b);
             pair.worst = Some(pair.worst.map_or(here, |before| before.worst(&here)));
         }
-        // Edges that shrink to a point have no direction to meet in.
-        let is_point = |index: &usize| of(*index).is_some_and(|edge| edge.extent() <= CLOSED * size);
+        // Edges that shrink to a point have no direction to meet in, and parts as short as what is near have none that is known.
+        let is_point = |index: &usize| {
+            let is_whole = places.get(*index).is_some_and(Place::is_whole);
+            let least = if is_whole { CLOSED } else { LONG * NEAR };
+            of(*index).is_some_and(|edge| edge.extent() <= least * size)
+        };
         pairs.retain(|pair| {
             let is_near = pair.worst.is_some_and(|worst| worst.gap <= NEAR * size);
             pair.stated.is_some() || (is_near && !pair.between.iter().any(is_point))
@@ -160,7 +204,10 @@ fn report<P: Located>(pair: &Pair<'_>, places: &[Place], parts: &[&P]) -> Option
         let patch = parts.get(place.patch)?.name().to_owned();
         let is_at_u = place.across == Variable::U;
         let (u, v) = (is_at_u.then_some(place.position), (!is_at_u).then_some(place.position));
-        Some(EdgePlace { patch, u, v, part: Some(place.part).filter(|part| *part != WHOLE) })
+        let domain = parts.get(place.patch)?.domain();
+        let [low, high] = if is_at_u { domain.v } else { domain.u };
+        let part = place.along.map(|ends| ends.map(|end| (end - low) / (high - low)));
+        Some(EdgePlace { patch, u, v, part, along: place.along })
     };
     let SeamDeviation { gap, angle_degrees } = pair.worst?;
     let ([a, b], [of_a, of_b]) = (pair.between, &pair.gaps);
@@ -181,7 +228,7 @@ fn pairs<'a, P: Located>(spec: &'a Spec, parts: &[&P]) -> Result<(Vec<Place>, Ve
         // Where data stand at fixed u only, the patch may close on itself in v.
         let at_v = part.is_four_sided().then_some((Variable::V, domain.v));
         for (across, ends) in [(Variable::U, domain.u)].into_iter().chain(at_v) {
-            places.extend(ends.map(|position| Place { patch, across, position, part: WHOLE }));
+            places.extend(ends.map(|position| Place { patch, across, position, along: None }));
         }
     }
     let ends = places.len();
@@ -193,13 +240,11 @@ fn pairs<'a, P: Located>(spec: &'a Spec, parts: &[&P]) -> Result<(Vec<Place>, Ve
             let chosen = parts.iter().position(|part| Some(part.name()) == name);
             let position = spec.bindings.constant(&spec.problem, position, seam.origin, "the position of a seam");
             let position = position.map_err(|finding| spec.fault(finding))?;
-            let Some(patch) = chosen else { continue };
-            let place = Place { patch, across, position, part: if part == [1.0, 0.0] { WHOLE } else { part } };
-            let known = places.iter().position(|known| *known == place);
-            between.push(known.unwrap_or_else(|| {
-                places.push(place);
-                places.len() - 1
-            }));
+            let Some((patch, of)) = chosen.and_then(|patch| Some((patch, parts.get(patch)?))) else { continue };
+            let domain = of.domain();
+            let along = along(spec, part, if across == Variable::U { domain.v } else { domain.u }, seam)?;
+            let place = Place { patch, across, position, along };
+            between.push(index_of(place, &mut places));
         }
         if let Ok(between) = <[usize; 2]>::try_from(between) {
             pairs.push(Pair { between, stated: Some(seam), worst: None, gaps: Default::default() });
@@ -214,4 +259,49 @@ fn pairs<'a, P: Located>(spec: &'a Spec, parts: &[&P]) -> Result<(Vec<Place>, Ve
         }
     }
     Ok((places, pairs))
+}
+
+/// The index of `place`, which is added if it is new.
+fn index_of(place: Place, places: &mut Vec<Place>) -> usize {
+    places.iter().position(|known| *known == place).unwrap_or_else(|| {
+        places.push(place);
+        places.len() - 1
+    })
+}
+
+/// The ends of a part of a side with the range `[low, high]`; `None` if it is all of it.
+fn along(spec: &Spec, part: SidePart, [low, high]: [f64; 2], seam: &Seam) -> Result<Option<[f64; 2]>, Failure> {
+    let ends = match part {
+        SidePart::Shares(shares) => shares.map(|share| if share == 1.0 { high } else { low + (high - low) * share }),
+        SidePart::Values(ends) => {
+            let value = |end| spec.bindings.constant(&spec.problem, end, seam.origin, "a part of a seam");
+            let [start, end] = ends.map(value);
+            [start.map_err(|finding| spec.fault(finding))?, end.map_err(|finding| spec.fault(finding))?]
+        }
+    };
+    Ok((ends != [low, high] && ends != [high, low]).then_some(ends))
+}
+
+/// The parts that sides have in common, of all `pairs` of sides that are not stated, by what `common` says of two.
+fn overlaps(
+    places: &[Place],
+    pairs: &[Pair<'_>],
+    gap: f64,
+    common: impl Fn([usize; 2], f64) -> Result<Option<Parts>, Failure>,
+) -> Result<Vec<[Place; 2]>, Failure> {
+    let place = |index: usize| places.get(index).copied();
+    let of = |pair: &Pair<'_>| Some([place(pair.between[0])?, place(pair.between[1])?]);
+    let stated: Vec<[Place; 2]> = pairs.iter().filter(|pair| pair.stated.is_some()).filter_map(of).collect();
+    let mut found = Vec::new();
+    for pair in pairs.iter().filter(|pair| pair.stated.is_none()) {
+        let Some([a, b]) = of(pair) else { continue };
+        let Some([first, second]) = common(pair.between, gap)? else { continue };
+        let is_known = |[one, other]: &[Place; 2]| {
+            (one.is_beside(&a) && other.is_beside(&b)) || (one.is_beside(&b) && other.is_beside(&a))
+        };
+        if !stated.iter().any(is_known) {
+            found.push([Place { along: first, ..a }, Place { along: second, ..b }]);
+        }
+    }
+    Ok(found)
 }
