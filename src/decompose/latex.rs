@@ -38,6 +38,10 @@ impl Decomposition {
                 let left = orders.of(&format!("F_{{{}}}", index + 1), Notation::Latex);
                 rows.push(format!("{left} &= {}", text(*expr)?));
             }
+            for orders in function.missing(&self.patch.operator) {
+                let left = orders.of(&format!("F_{{{}}}", index + 1), Notation::Latex);
+                rows.push(format!(r"{left} &\quad \text{{does not exist}}"));
+            }
         }
         Ok(format!("\\begin{{aligned}}\n{}\n\\end{{aligned}}\n", rows.join(" \\\\\n")))
     }

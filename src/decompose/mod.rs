@@ -53,6 +53,14 @@ pub struct BasisFunction {
     pub fault: Option<Diagnostic>,
 }
 
+impl BasisFunction {
+    /// The derivatives that `equation` takes of it, and that do not exist.
+    pub fn missing(&self, equation: &PdeOperator) -> impl Iterator<Item = Derivative> {
+        let exists = |orders: &Derivative| self.derivatives.iter().any(|(known, _)| known == orders);
+        equation.basis_derivatives().into_iter().filter(move |orders| !exists(orders))
+    }
+}
+
 /// Decomposes the boundary data of `patch`, which belongs to `problem`.
 ///
 /// Where all four sides carry data there is nothing to factor: the basis is empty.
@@ -137,6 +145,32 @@ impl Decomposition {
     /// [`Code::NotDifferentiable`], with the function's place.
     pub fn check_differentiable(&self) -> Result<(), Diagnostic> {
         self.basis.iter().find_map(|function| function.fault.clone()).map_or(Ok(()), Err)
+    }
+
+    /// The decomposition with basis functions that have every derivative the equation takes, where splines lack some:
+    /// those of their pieces.
+    ///
+    /// `None` if another function lacks one, or a spline one below half the equation's order in v: its pieces would
+    /// meet at an angle that the equation gives no finite energy.
+    #[must_use]
+    pub fn piecewise(&self, limits: &Limits) -> Option<Decomposition> {
+        let mut graph = self.graph.clone();
+        let shared = Derivative::new(0, self.operator.order_in_v().div_ceil(2).saturating_sub(1), 0);
+        let wanted = self.operator.basis_derivatives();
+        let mut basis = Vec::with_capacity(self.basis.len());
+        for function in &self.basis {
+            if function.fault.is_none() {
+                basis.push(function.clone());
+                continue;
+            }
+            graph.derivative_within(function.expr, shared, limits.graph_nodes).ok()?;
+            let expr = graph.piecewise(function.expr);
+            let mut derived =
+                |orders: &Derivative| Some((*orders, graph.derivative_within(expr, *orders, limits.graph_nodes).ok()?));
+            let derivatives = wanted.iter().map(&mut derived).collect::<Option<Vec<_>>>()?;
+            basis.push(BasisFunction { expr, origin: function.origin, derivatives, fault: None });
+        }
+        Some(Decomposition { graph, basis, ..self.clone() })
     }
 
     /// Whether [`Decomposition::operator`] is the equation for these values of the params.

@@ -35,7 +35,8 @@ impl Decomposition {
         })
     }
 
-    /// The whole decomposition: basis functions, nonzero coefficients of each condition, needed derivatives.
+    /// The whole decomposition: basis functions, nonzero coefficients of each condition, needed derivatives, and which
+    /// of these do not exist.
     ///
     /// # Errors
     /// As [`Decomposition::text_of`].
@@ -71,6 +72,10 @@ impl Decomposition {
                     let value = self.text_of(*expr, notation, limits)?;
                     line(&mut text, format_args!("  F{}_{orders} = {value}", index + 1));
                 }
+            }
+            let reason = function.fault.as_ref().map_or("", |fault| fault.message.as_str());
+            for orders in function.missing(&self.patch.operator) {
+                line(&mut text, format_args!("  F{}_{orders} does not exist: {reason}", index + 1));
             }
         }
         Ok(text)

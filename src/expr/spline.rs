@@ -61,6 +61,9 @@ pub struct SplineCall {
     pub spline: Arc<Spline>,
     /// Order of the derivative in each argument.
     pub orders: [usize; 2],
+    /// Whether it has all derivatives: beyond those that pieces share, each piece's own, and at a knot those of the
+    /// piece that begins there.
+    pub is_piecewise: bool,
 }
 
 impl Knots {
@@ -233,7 +236,7 @@ impl SplineCall {
     /// The spline itself.
     #[must_use]
     pub fn new(spline: Arc<Spline>) -> SplineCall {
-        SplineCall { spline, orders: [0, 0] }
+        SplineCall { spline, orders: [0, 0], is_piecewise: false }
     }
 
     /// The value; of one argument the second is not read. NaN outside the range of an argument in which the spline is
@@ -244,16 +247,23 @@ impl SplineCall {
         self.spline.value(self.orders, [first, second])
     }
 
+    /// The same with all derivatives: see [`SplineCall::is_piecewise`].
+    #[must_use]
+    pub fn piecewise(self) -> SplineCall {
+        SplineCall { is_piecewise: true, ..self }
+    }
+
     /// The same data with one more derivative in an argument; `Err` with the highest that exists if that is it already.
     pub fn differentiated(&self, argument: usize) -> Result<SplineCall, usize> {
         let mut orders = self.orders;
         if let Some(order) = orders.get_mut(argument) {
             *order += 1;
-            if let Some(highest) = self.spline.smoothness(argument).filter(|highest| *order > *highest) {
+            let smoothness = self.spline.smoothness(argument).filter(|_| !self.is_piecewise);
+            if let Some(highest) = smoothness.filter(|highest| *order > *highest) {
                 return Err(highest);
             }
         }
-        Ok(SplineCall { spline: Arc::clone(&self.spline), orders })
+        Ok(SplineCall { spline: Arc::clone(&self.spline), orders, is_piecewise: self.is_piecewise })
     }
 
     /// Whether it is zero everywhere: a derivative of a polynomial above its degree.
@@ -410,6 +420,8 @@ mod tests {
         }
         assert_eq!(call.spline.smoothness(0), Some(1));
         assert_eq!(call.differentiated(0).and_then(|call| call.differentiated(0)), Err(1));
+        let second = call.piecewise().differentiated(0).and_then(|call| call.differentiated(0)).expect("of each piece");
+        assert_eq!([0.5, 1.0, 1.5].map(|u| second.value(u, 0.0)), [2.0; 3]);
     }
 
     #[test]

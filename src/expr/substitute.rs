@@ -18,6 +18,21 @@ impl Graph {
         known.get(&expr).copied().unwrap_or(expr)
     }
 
+    /// `expr` with splines that have all derivatives, those of their pieces
+    /// ([`SplineCall::is_piecewise`](super::SplineCall::is_piecewise)).
+    pub fn piecewise(&mut self, expr: ExprId) -> ExprId {
+        let mut known: FxHashMap<ExprId, ExprId> = FxHashMap::default();
+        for id in self.reachable(&[expr]) {
+            let node = match self.node(id).clone() {
+                Node::Spline(call, arguments) => Node::Spline(call.piecewise(), arguments),
+                node => node,
+            };
+            let result = self.construct(node, &known);
+            known.insert(id, result);
+        }
+        known.get(&expr).copied().unwrap_or(expr)
+    }
+
     /// A node of this graph's symbols, with each operand replaced by what is known of it.
     fn construct(&mut self, node: Node, known: &FxHashMap<ExprId, ExprId>) -> ExprId {
         let of = |id: &ExprId| known.get(id).copied().unwrap_or(*id);

@@ -62,6 +62,7 @@ struct PatchBasis {
 struct Function {
     name: String,
     expr: String,
+    /// Null for one that does not exist.
     derivatives: Map<String, Value>,
 }
 
@@ -87,7 +88,6 @@ pub fn run(arguments: &Arguments, _terminal: &Terminal) -> Outcome {
     let mut patches = Vec::new();
     for patch in &spec.patches {
         let decomposition = spec.decompose(patch)?;
-        decomposition.check_differentiable().map_err(|finding| spec.fault(finding))?;
         match arguments.format {
             Format::Text => {
                 let text = decomposition.to_text(Notation::Unicode, &spec.limits);
@@ -126,6 +126,9 @@ fn patch_basis(decomposition: &Decomposition, params: &[f64], limits: &Limits) -
         let mut derivatives = Map::new();
         for (orders, expr) in &function.derivatives {
             derivatives.insert(orders.to_string(), Value::String(text(*expr)?));
+        }
+        for orders in function.missing(&decomposition.patch.operator) {
+            derivatives.insert(orders.to_string(), Value::Null);
         }
         basis.push(Function { name: format!("F{}", index + 1), expr: text(function.expr)?, derivatives });
     }

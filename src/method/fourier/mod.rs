@@ -86,14 +86,15 @@ impl Method for Fourier {
         let factors = operator.terms.iter().flat_map(|term| term.coefficient);
         let constants: Vec<ExprId> = positions.chain(stated).chain(factors).collect();
         let has_varying = operator.terms.iter().flat_map(|term| term.coefficient).any(|expr| graph.dependence(expr).u);
+        let remainder = remainder(decomposition, options)?;
         Ok(Box::new(FourierSolver {
             length: length(options)?,
-            has_remainder: has_remainder(decomposition, options)?,
+            has_remainder: remainder.is_some(),
             data: BoundaryData::compile(decomposition),
             constant_values: compile(Program::compile(graph, &constants), Backend::Interpreter).0,
             // The closed form is one of constant coefficients and no force.
             may_be_modal: !has_varying && operator.is_homogeneous(graph),
-            decomposition: decomposition.clone(),
+            decomposition: remainder.unwrap_or_else(|| decomposition.clone()),
             options: options.clone(),
         }))
     }
@@ -125,14 +126,18 @@ fn length(options: &Options) -> Result<Length, Diagnostic> {
     }
 }
 
-/// The remainder has the derivatives of the data: without them there is none.
-fn has_remainder(decomposition: &Decomposition, options: &Options) -> Result<bool, Diagnostic> {
+/// The decomposition with the functions of the remainder; `None` if there is to be none. The remainder has the derivatives
+/// of the data: of splines those of their pieces, and without any there is no remainder.
+fn remainder(decomposition: &Decomposition, options: &Options) -> Result<Option<Decomposition>, Diagnostic> {
+    if options.settings.remainder.is_some_and(|(is_on, _)| !is_on) {
+        return Ok(None);
+    }
     let Err(fault) = decomposition.check_differentiable() else {
-        return Ok(options.settings.remainder.is_none_or(|(is_on, _)| is_on));
+        return Ok(Some(decomposition.clone()));
     };
-    match options.settings.remainder {
-        Some((true, _)) => Err(fault.hint("a series alone needs no derivatives: `remainder = off`")),
-        _ => Ok(false),
+    match (decomposition.piecewise(&options.limits), options.settings.remainder) {
+        (None, Some(_)) => Err(fault.hint("a series alone needs no derivatives: `remainder = off`")),
+        (piecewise, _) => Ok(piecewise),
     }
 }
 

@@ -108,3 +108,19 @@ fn basis_in_latex_is_one_environment_per_patch() {
     assert!(latex.ends_with("\n\\end{aligned}\n"), "{latex}");
     assert_eq!(status(&trimline(&["basis", "--format", "latex", "--closure", "examples/eq19.trim"])), 2);
 }
+
+#[test]
+fn basis_of_an_imported_cubic_says_which_derivatives_do_not_exist() {
+    let spec = "examples/import_step.trim";
+    let told = text(&trimline(&["basis", spec]).stdout);
+    let line = "  F2_vvvv does not exist: `S1_y` is made of polynomials that fit together up to derivative 2, and its derivative `vvvv` is needed";
+    assert!(told.lines().any(|found| found == line), "{told}");
+    assert!(told.contains("  F1_vv = "), "{told}");
+    let json: Value = serde_json::from_slice(&trimline(&["basis", spec, "--format", "json"]).stdout).expect("JSON");
+    let derivatives = &json["patches"][0]["basis"][0]["derivatives"];
+    assert!(derivatives["vvvv"].is_null() && derivatives["vv"].is_string(), "{derivatives}");
+    let latex = text(&trimline(&["basis", spec, "--format", "latex"]).stdout);
+    assert!(latex.contains(r"\frac{\partial^{4} F_{1}}{\partial v^{4}} &\quad \text{does not exist}"), "{latex}");
+    // There is no closure under derivatives that do not exist.
+    assert_eq!(status(&trimline(&["basis", spec, "--closure"])), 1);
+}
