@@ -1,4 +1,4 @@
-//! Lines on surfaces: trimlines, open edges, lines of constant parameters.
+//! Lines on surfaces: trimlines, open edges, borders of deformations, lines of constant parameters.
 
 use crate::tessellate::{Mesh, Role, Scene};
 
@@ -31,6 +31,8 @@ pub(super) fn strokes(scene: &Scene, view: &View, parts: Option<(usize, usize)>)
             let sides = [0, mesh.columns.saturating_sub(1)].map(|column| column_of(&rows, column));
             strokes.push((sides.iter().flat_map(|line| stroke(line, HALF_LINE)).collect(), GRID_LINE));
         }
+        let outlines = mesh.outlines.iter().map(|line| line.iter().map(|point| view.place(point)).collect::<Vec<_>>());
+        strokes.push((outlines.flat_map(|line| stroke(&line, HALF_LINE)).collect(), GRID_LINE));
         let ends = [rows.first(), rows.last()].map(|row| row_of(mesh, row.copied().unwrap_or_default()));
         strokes.push((ends.iter().flat_map(|line| stroke(line, HALF_TRIMLINE)).collect(), TRIMLINE));
     }

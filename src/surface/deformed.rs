@@ -139,6 +139,11 @@ impl Surface for DeformedSurface {
         self.displace(derivative, points, values)
     }
 
+    fn regions(&self) -> Vec<[[f64; 2]; 2]> {
+        let own = self.regions.iter().map(|region| [region.u, region.v]);
+        self.base.regions().into_iter().chain(own).collect()
+    }
+
     fn evaluate_grid(
         &self,
         derivative: Derivative,

@@ -48,6 +48,12 @@ pub trait Surface {
         None
     }
 
+    /// Ranges of u and v of the parts of the domain in which something was added to the surface: across their borders
+    /// it is less smooth than elsewhere. None for most surfaces.
+    fn regions(&self) -> Vec<[[f64; 2]; 2]> {
+        Vec::new()
+    }
+
     /// Writes a partial derivative of S at instant `t` on the grid of all `u` and `v`, u-major:
     /// `values[i * v.len() + j]` belongs to `(u[i], v[j], t)`.
     ///

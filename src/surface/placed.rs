@@ -127,6 +127,10 @@ impl PlacedSurface {
 }
 
 impl Surface for PlacedSurface {
+    fn regions(&self) -> Vec<[[f64; 2]; 2]> {
+        self.base.regions()
+    }
+
     fn evaluate(&self, derivative: Derivative, points: &[[f64; 3]], values: &mut [[f64; 3]]) -> Result<(), Diagnostic> {
         let mut start = 0;
         // Points of one instant together.

@@ -3,7 +3,7 @@
 /// The field of a surface that has a sign by the side of its normal.
 pub const MEAN_CURVATURE: &str = "mean_curvature";
 
-/// Quads over shared vertices; everything but `fields` and `quads` has one entry per vertex.
+/// Quads over shared vertices; everything but `fields`, `quads` and `outlines` has one entry per vertex.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Mesh {
     /// What the document calls the patch.
@@ -29,6 +29,8 @@ pub struct Mesh {
     pub quads: Vec<[u32; 4]>,
     /// Whether the quads run around in v, the last column being joined to the first.
     pub is_closed_in_v: bool,
+    /// The borders of what was added to parts of the surface, as closed lines of points, to be drawn.
+    pub outlines: Vec<Vec<[f64; 3]>>,
 }
 
 /// What a mesh shows.

@@ -1,6 +1,7 @@
 //! One patch at one instant becomes one mesh.
 
 use crate::diagnostic::{Code, Diagnostic};
+use crate::expr::Derivative;
 use crate::surface::Surface;
 
 use super::grid::Grid;
@@ -11,6 +12,9 @@ use super::samples::Samples;
 
 /// Below this a ring is no ring: two quads around would share both their sides, one quad its own.
 const SMALLEST_RING: usize = 3;
+
+/// Pieces of each side of an outline.
+const OUTLINE: usize = 32;
 
 /// Cuts `surface` at instant `t` into quads over the parameter ranges `(u_range, v_range)`.
 ///
@@ -59,7 +63,9 @@ pub fn tessellate(
         None => normals(&samples, &quads),
     };
     let warnings = if arbitrary == 0 { Vec::new() } else { vec![degenerate(name, arbitrary, normals.len())] };
+    let outlines = surface.regions().into_iter().map(|region| outline(surface, region, t));
     let mesh = Mesh {
+        outlines: outlines.collect::<Result<_, _>>()?,
         name: name.to_owned(),
         role: Role::Blend,
         positions: samples.position,
@@ -73,6 +79,18 @@ pub fn tessellate(
         is_closed_in_v,
     };
     Ok((mesh, warnings))
+}
+
+/// Points along the border of a region, back to where they begin.
+fn outline(surface: &dyn Surface, [u, v]: [[f64; 2]; 2], t: f64) -> Result<Vec<[f64; 3]>, Diagnostic> {
+    let (along_u, along_v) = (evenly_spaced(u, OUTLINE), evenly_spaced(v, OUTLINE));
+    let [[u_low, u_high], [v_low, v_high]] = [u, v];
+    let there = along_u.iter().map(|u| [*u, v_low, t]).chain(along_v.iter().map(|v| [u_high, *v, t]));
+    let back = along_u.iter().rev().map(|u| [*u, v_high, t]).chain(along_v.iter().rev().map(|v| [u_low, *v, t]));
+    let points: Vec<[f64; 3]> = there.chain(back).collect();
+    let mut line = vec![[0.0; 3]; points.len()];
+    surface.evaluate(Derivative::NONE, &points, &mut line)?;
+    Ok(line)
 }
 
 fn degenerate(name: &str, arbitrary: usize, vertices: usize) -> Diagnostic {

@@ -11,6 +11,7 @@ use trimline::limits::Limits;
 use trimline::method::Options;
 use trimline::problem::{Bindings, Deformation, Problem};
 use trimline::surface::{Bump, DeformedSurface, Surface};
+use trimline::tessellate::{Grid, tessellate};
 
 use crate::sides::{ClosedForm, Vector, with_vector};
 
@@ -193,6 +194,24 @@ fn deformed_patch_meets_its_boundary_and_shows_its_true_residual() {
 fn spec_solution(text: &str) -> f64 {
     let blend = Blend::new(crate::spec::problem(text), &Options::default()).expect("a problem");
     at(&*blend.solve(0, 0.0).expect("solvable").surface, Derivative::NONE, 0.25, 1.5)[0]
+}
+
+#[test]
+fn mesh_has_the_border_of_a_deformation_as_an_outline() {
+    let blend = cylinder([[0.25, 0.5], [1.0, 2.0]], 0).expect("a problem");
+    let solution = blend.solve(0, 0.0).expect("solvable");
+    assert_eq!(solution.surface.regions(), [[[0.25, 0.5], [1.0, 2.0]]]);
+    let domain = &blend.patches[0].domain;
+    let grid = Grid::new(4, 8, &Limits::default()).expect("a grid");
+    let (mesh, _) = tessellate("p", &*solution.surface, (domain.u, domain.v), 0.0, grid).expect("a mesh");
+    let [outline] = mesh.outlines.as_slice() else { panic!("{:?}", mesh.outlines) };
+    assert_eq!(outline.first(), outline.last());
+    let corners = [[0.25, 1.0], [0.5, 1.0], [0.5, 2.0], [0.25, 2.0]];
+    let places = corners.map(|[u, v]| at(&*solution.surface, Derivative::NONE, u, v));
+    assert!(places.iter().all(|place| outline.contains(place)), "{places:?}");
+    let middle = at(&*solution.surface, Derivative::NONE, 0.375, 2.0);
+    let gap = |p: &[f64; 3]| p.iter().zip(middle).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+    assert!(outline.iter().map(gap).fold(f64::INFINITY, f64::min) < 1e-14, "{outline:?}");
 }
 
 #[test]

@@ -117,6 +117,24 @@ fn lines_add_ink_to_the_surface() {
 }
 
 #[test]
+fn outlines_are_drawn_where_they_are() {
+    // An arc of half a radian to both sides of the x axis, half-way up, seen along that axis.
+    let mut scene = CYLINDER.scene((8, 64));
+    let before = draw(&scene, &style(0.0, 0.0));
+    let heights = scene.meshes[0].positions.iter().map(|[_, _, z]| *z);
+    let middle = 0.5 * (heights.clone().fold(f64::INFINITY, f64::min) + heights.fold(f64::NEG_INFINITY, f64::max));
+    let arc = (0..=16).map(|k| (f64::from(k) - 8.0) / 16.0);
+    scene.meshes[0].outlines = vec![arc.map(|angle: f64| [angle.cos(), angle.sin(), middle]).collect()];
+    let after = draw(&scene, &style(0.0, 0.0));
+    let places = (0..90).flat_map(|y| (0..120).map(move |x| (x, y)));
+    let drawn: Vec<(usize, usize)> = places.filter(|&(x, y)| before.get(x, y) != after.get(x, y)).collect();
+    // The width of the cylinder is 0.86 of 90 pixels; the line may touch two rows of pixels.
+    let half = 0.5_f64.sin() * 0.86 * 45.0;
+    assert!((2.0 * half - 2.0..=5.0 * half).contains(&(drawn.len() as f64)), "{}", drawn.len());
+    assert!(drawn.iter().all(|(x, y)| y.abs_diff(45) <= 2 && (*x as f64 - 59.5).abs() <= half + 2.0), "{drawn:?}");
+}
+
+#[test]
 fn field_is_drawn_from_dark_to_light_and_grey_where_it_has_no_value() {
     let mut scene = PLANE.scene((1, 2));
     // Two rows of three columns: low, high, none.

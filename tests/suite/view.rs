@@ -243,7 +243,10 @@ fn surface_that_is_no_sum_of_products_comes_as_vertices_with_normals() {
                 at u = 1: S = [cos v, sin v, 2], ∂S/∂u = [0, 0, 1]\n\
                 deform u in [0.2, 0.8], v in [1, 6] by [0.5, t, 0] keeping C1\n";
     let view = View::of(text, &[]);
-    assert_eq!(view.get("/scene").json()["solved"]["patches"][0]["form"], serde_json::json!({ "kind": "sampled" }));
+    let scene = view.get("/scene").json();
+    let patch = &scene["solved"]["patches"][0];
+    assert_eq!(patch["form"], serde_json::json!({ "kind": "sampled" }));
+    assert_eq!(patch["regions"], serde_json::json!([[[0.2, 0.8], [1.0, 6.0]]]));
     let answer = view.get("/vertices?patches=0&grid=5x7&t=0.75");
     assert_eq!(answer.status, 200, "{}", answer.body);
     assert!(answer.headers.contains("trimline-revision: 1"), "{}", answer.headers);

@@ -90,6 +90,8 @@ struct Patch {
     form: Form,
     /// Constraints at fixed u, then those at fixed v.
     boundary: [Boundary; 2],
+    /// Ranges of u and v of its deformations.
+    regions: Vec<[[f64; 2]; 2]>,
     /// The problem as understood, in LaTeX.
     mathematics: Vec<String>,
     functions: Vec<String>,
@@ -251,6 +253,7 @@ fn patch(spec: &Spec, patched: &Patched, solved: &Solved, joins: Vec<JoinReport>
         symbols: spec.bindings.as_slice().to_vec(),
         form: form(solved, domain),
         boundary: [boundary(spec, "u", at_u.collect())?, boundary(spec, "v", at_v.collect())?],
+        regions: solved.solution.surface.regions(),
         mathematics: mathematics(spec, stated),
         functions: functions.map(|function| latex(&decomposition.graph, function.expr)).collect(),
         report: report(&solved.solution, solved),

@@ -6,6 +6,9 @@ import * as THREE from "three";
 import { evenly, run } from "./program.js";
 import { drawing } from "./shading.js";
 
+// Of each side of a border.
+const PIECES = 32;
+
 export class Patch {
   constructor(uniforms) {
     this.material = drawing(uniforms);
@@ -62,6 +65,13 @@ export class Patch {
   // Positions along the line of a constraint.
   line({ across, at, along }) {
     return across === "u" ? this.points([at], along)[0] : this.points(along, [at]).map(([point]) => point);
+  }
+
+  // Positions around a part of the domain, given by its ranges of u and v.
+  border(region) {
+    const rows = this.points(...region.map((range) => evenly(range, PIECES)));
+    const [first, last] = [0, PIECES].map((end) => rows.map((row) => row[end]));
+    return [...first, ...rows[PIECES], ...last.reverse(), ...rows[0].slice().reverse()];
   }
 
   // Numbers for colouring, by vertex: `of(i, j)`; below zero where there is none.

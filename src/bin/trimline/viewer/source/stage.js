@@ -149,6 +149,7 @@ export class Stage {
         const edges = patch.points(patch.u, patch.data.domain[1]);
         [0, 1].forEach((end) => this.line(edges.map((row) => row[end]), COLORS.edges));
       }
+      if (this.layers.edges) patch.data.regions.forEach((region) => this.line(patch.border(region), COLORS.edges));
       if (this.layers.arrows) this.arrows(patch);
     }
     this.invalidate();
