@@ -42,6 +42,7 @@ pub mod emit;
 pub mod eval;
 pub mod export;
 pub mod expr;
+pub mod features;
 pub mod fit;
 pub mod kernels;
 pub mod limits;

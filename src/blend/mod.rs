@@ -15,7 +15,7 @@ use crate::problem::{Bindings, DomainValues, Net, Patch, Problem, check_reach};
 use crate::resolve::{resolve, set_parameter};
 use crate::surface::{Bump, DeformedSurface};
 use crate::syntax;
-use crate::verify::{Verification, verify};
+use crate::verify::{Verification, check_deformations, refuse_poles, verify};
 
 /// A compiled document with its current parameter values.
 pub struct Blend {
@@ -322,7 +322,12 @@ impl Prepared {
         bindings: &Bindings,
         t: f64,
     ) -> Result<(Solution, Verification), Diagnostic> {
-        let mut plain = self.solve_plain(bindings, t)?;
+        let plain = self.solve_plain(bindings, t);
+        if plain.is_err() {
+            // A method may fail for a pole; what is at fault is the function.
+            refuse_poles(problem, self.patch(), (bindings, &self.domain, t))?;
+        }
+        let mut plain = plain?;
         let measured = self.verify(problem, bindings, &plain, t)?;
         self.judge(problem, &plain, &measured)?;
         let residual = measured.relative_residual();
@@ -334,6 +339,7 @@ impl Prepared {
         if self.bumps.is_empty() {
             return Ok((plain, measured));
         }
+        check_deformations(problem, self.patch(), (bindings, t), measured.size)?;
         let solution = self.deformed(plain, bindings)?;
         let measured = self.verify(problem, bindings, &solution, t)?;
         let miss = measured.boundary_error() - announced(&solution);

@@ -99,7 +99,7 @@ codes! {
     DuplicateStatement = "E0210", Error, Source, "A statement that may occur once occurs twice.";
     NotConstant = "E0211", Error, Source, "A value that must be constant depends on u, v, t or S.";
     UnknownSetting = "E0212", Error, Source, "A setting does not exist or has a value of the wrong form.";
-    EmptyDomain = "E0213", Error, Source, "A domain has no extent.";
+    EmptyDomain = "E0213", Error, Source, "A domain has no extent, or too little of it.";
     ParameterNotFinite = "E0214", Error, Source, "A parameter or constant evaluates to infinity or NaN.";
     ParameterOutOfRange = "E0215", Error, Source, "A parameter lies outside its own range.";
     DependentConstraints = "E0216", Error, Source, "The constraints do not determine a surface.";
@@ -111,7 +111,7 @@ codes! {
     DataFileMissing = "E0221", Error, Source, "A data file cannot be read.";
     BadDataFile = "E0222", Error, Source, "A data file does not hold what it should.";
     NotDifferentiable = "E0301", Error, Source, "A derivative is needed of a function that has none.";
-    DataNotFinite = "E0302", Error, Source, "Boundary data are not finite inside the domain.";
+    DataNotFinite = "E0302", Error, Source, "A function of the problem is not finite inside the domain.";
     PointOutsideDomain = "E0303", Error, Source, "A point or an instant lies outside the domain.";
     BadPoints = "E0304", Error, Source, "A table of points cannot be read.";
     SettingOutOfRange = "E0401", Error, Source, "A setting has a value outside its range.";
@@ -153,6 +153,8 @@ codes! {
     NoFormula = "E0710", Error, Unsupported, "A function has no formula in another language.";
     EdgeSidesDiffer = "E0711", Error, Source, "The two sides of a shared edge differ.";
     CopyOntoItself = "E0712", Error, Source, "A copy of a patch lies where the patch does.";
+    ShapeLost = "E0713", Error, Source, "Rounding leaves too little of a shape.";
+    LoopFolded = "E0714", Error, Source, "A loop of edges folds back on itself.";
     LimitReached = "E0901", Error, Limit, "A limit was reached.";
     HostUnsupported = "N0902", Note, Host, "The machine lacks something; the work goes on another way.";
     OutputFailed = "E0903", Error, Output, "Writing a result failed.";

@@ -120,8 +120,8 @@ impl EdgeLoop {
     /// are those along their neighbours.
     ///
     /// # Errors
-    /// [`Code::LoopOpen`] names the first corner that does not close, with its gap; [`Code::SidesDisagree`] the first
-    /// whose tangents differ.
+    /// [`Code::LoopOpen`] names the first corner that does not close, with its gap; [`Code::LoopFolded`] the first in which
+    /// an edge runs back over the one before; [`Code::SidesDisagree`] the first whose tangents differ.
     pub fn check(&self, problem: &Problem, bindings: &Bindings, t: f64, limits: &Limits) -> Result<(), Diagnostic> {
         self.check_in(&mut problem.graph.clone(), bindings.as_slice(), t, limits)
     }
@@ -153,6 +153,21 @@ impl EdgeLoop {
             }
         }
         for (index, edge) in self.edges.iter().enumerate() {
+            let Some(before) = self.neighbour(index, count - 1) else { continue };
+            let back = |u: f64| value(graph, before.curve, 1.0 - u);
+            let on = |u: f64| value(graph, edge.curve, u);
+            if runs_back(back, on, CLOSED * size) {
+                let (number, previous) = (index + 1, (index + count - 1) % count + 1);
+                let message = format!(
+                    "the loop `{}` folds in corner {number}: edge {number} runs back over edge {previous}",
+                    self.name
+                );
+                return Err(Diagnostic::new(Code::LoopFolded, message)
+                    .at(edge.origin)
+                    .hint("edges follow one another around a hole; between these two there is none"));
+            }
+        }
+        for (index, edge) in self.edges.iter().enumerate() {
             let Some(across) = edge.across else { continue };
             let expected = self.along_neighbours(graph, index, limits)?;
             for ((expected, u), end) in expected.into_iter().zip([0.0, 1.0]).zip(["beginning", "end"]) {
@@ -174,6 +189,41 @@ impl EdgeLoop {
         Ok(())
     }
 }
+
+/// Whether two curves with a common beginning lie on each other for half of the shorter one, whatever their speeds.
+fn runs_back(a: impl Fn(f64) -> [f64; 3], b: impl Fn(f64) -> [f64; 3], close: f64) -> bool {
+    let corner = a(0.0);
+    // Most corners are seen at once: the directions there differ.
+    let from_corner = |[x, y, z]: [f64; 3]| {
+        let [x0, y0, z0] = corner;
+        [x - x0, y - y0, z - z0]
+    };
+    let [from_a, from_b] = [a(0.1), b(0.1)].map(from_corner);
+    let product: f64 = from_a.iter().zip(from_b).map(|(a, b)| a * b).sum();
+    if product < 0.9 * distance(from_a, [0.0; 3]) * distance(from_b, [0.0; 3]) {
+        return false;
+    }
+    let [end_a, end_b] = [a(1.0), b(1.0)];
+    let [reach_a, reach_b] = [end_a, end_b].map(|end| distance(corner, end));
+    // The place on the longer one as far from the corner as a place of the shorter one.
+    let is_apart = |share: f64| {
+        let (short, long): (&dyn Fn(f64) -> [f64; 3], &dyn Fn(f64) -> [f64; 3]) =
+            if reach_a <= reach_b { (&a, &b) } else { (&b, &a) };
+        let point = short(share);
+        let wanted = distance(corner, point);
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..BISECTIONS {
+            let middle = 0.5 * (low + high);
+            if distance(corner, long(middle)) < wanted { low = middle } else { high = middle }
+        }
+        distance(point, long(high)) > close
+    };
+    let size = reach_a.max(reach_b);
+    size > 0.0 && ![0.5, 0.25, 0.1].into_iter().any(is_apart)
+}
+
+/// A place along an edge to rounding.
+const BISECTIONS: usize = 52;
 
 /// The distance of two points; NaN if one is.
 fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {

@@ -58,6 +58,9 @@ impl Domain {
     }
 }
 
+/// Of the larger end: the length of a range in which doubles lie dense enough for six digits.
+const SHORTEST: f64 = 1e-9;
+
 /// The ends of the range of the coordinate `name` as numbers; a finding calls the range `what`.
 pub(super) fn interval(
     graph: &Graph,
@@ -68,8 +71,17 @@ pub(super) fn interval(
 ) -> Result<[f64; 2], Diagnostic> {
     let low = bindings.constant_in(graph, low, origin, what)?;
     let high = bindings.constant_in(graph, high, origin, what)?;
-    if low < high {
+    let farthest = low.abs().max(high.abs());
+    if low < high && high - low >= SHORTEST * farthest {
         return Ok([low, high]);
+    }
+    if low < high {
+        let (low, high) = (Shortest(low), Shortest(high));
+        let message = format!(
+            "the domain {name} in [{low}, {high}] is too short for its distance from 0: rounding leaves too few values in it"
+        );
+        let finding = Diagnostic::new(Code::EmptyDomain, message).at(origin);
+        return Err(finding.hint(format!("measure {name} from the beginning of the domain")));
     }
     let is_reversed = low > high;
     let (low, high) = (Shortest(low), Shortest(high));

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use super::validity::finite;
 use super::{Functions, Surface};
-use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::diagnostic::{Code, Diagnostic, Shortest, Span};
 use crate::eval::{Backend, Evaluator, Program, Samples, compile};
 use crate::expr::{Derivative, Variable};
 use crate::limits::Limits;
@@ -117,9 +117,11 @@ impl DeformedSurface {
             let added = bump.displacement.values(derivative, &self.params, Samples { u: &u, v: &v, t: &t })?;
             if let Some(at) = added.iter().position(|value| !value.is_finite()) {
                 let at = at % inside.len();
-                let [u, v, t] = [&u, &v, &t].map(|all| all.get(at).copied().unwrap_or(f64::NAN));
+                let [u, v, t] = [&u, &v, &t].map(|all| Shortest(all.get(at).copied().unwrap_or(f64::NAN)));
                 let message = format!("a deformation is not finite at u = {u}, v = {v}, t = {t}");
-                return Err(Diagnostic::new(Code::DataNotFinite, message).at(bump.origin));
+                return Err(Diagnostic::new(Code::DataNotFinite, message)
+                    .at(bump.origin)
+                    .hint("a displacement must be finite on its whole region; change the function or the region"));
             }
             for (component, row) in added.chunks(inside.len()).enumerate() {
                 for (index, value) in inside.iter().zip(row) {

@@ -24,7 +24,7 @@ pub use coons::CoonsSurface;
 pub use deformed::{Bump, DeformedSurface, Region};
 pub use functions::Functions;
 pub use on_grid::{GridShape, SurfaceOnGrid, UnitNormals};
-pub use placed::{CompiledPlacement, PlacedSurface};
+pub use placed::{CompiledPlacement, PlacedSurface, is_lost};
 pub use separable::{Coefficients, SeparableSurface};
 pub use sides::{Corner, Sides};
 pub use symbolic::SymbolicSurface;

@@ -4,10 +4,11 @@ use std::sync::Arc;
 
 use super::Surface;
 use super::validity::finite;
-use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::diagnostic::{Code, Diagnostic, Shortest, Span};
 use crate::eval::{Backend, Evaluator, Program, Samples, compile};
 use crate::expr::{Derivative, ExprId, Graph};
 use crate::limits::Limits;
+use crate::numeric::{NodeKind, nodes};
 use crate::problem::PatchCopy;
 
 /// A placement that is ready for any params.
@@ -24,6 +25,15 @@ pub struct PlacedSurface {
     base: Arc<dyn Surface + Send + Sync>,
     placement: Arc<CompiledPlacement>,
     params: Vec<f64>,
+}
+
+/// Places of each coordinate at which the size of a surface is measured.
+const LOOKED_AT: usize = 5;
+
+/// Whether adding something of size `added` to a shape of some `size` leaves less than six digits of the shape.
+#[must_use]
+pub fn is_lost(size: f64, added: f64) -> bool {
+    f64::EPSILON * added > 1e-6 * size && size > 0.0
 }
 
 /// A matrix and a vector.
@@ -70,8 +80,10 @@ impl CompiledPlacement {
             .evaluate(params, Samples { u: &[0.0], v: &[0.0], t: &[t] }, &mut values)
             .map_err(|error| Diagnostic::new(Code::SolutionNotFinite, error.to_string()))?;
         if values.iter().any(|value| !value.is_finite()) {
-            let message = format!("where the copy is, is not finite at t = {t}");
-            return Err(Diagnostic::new(Code::DataNotFinite, message).at(self.origin));
+            let message = format!("where the copy is, is not finite at t = {}", Shortest(t));
+            return Err(Diagnostic::new(Code::DataNotFinite, message)
+                .at(self.origin)
+                .hint("planes, angles and vectors of copies must be finite at every instant"));
         }
         let mut values = values.into_iter();
         let mut next = || values.next().unwrap_or(f64::NAN);
@@ -89,6 +101,33 @@ impl PlacedSurface {
         params: &[f64],
     ) -> PlacedSurface {
         PlacedSurface { base, placement, params: params.to_vec() }
+    }
+
+    /// Refuses a place so far away at instant `t` that rounding leaves less than six digits of the surface's own size.
+    ///
+    /// # Errors
+    /// [`Code::ShapeLost`]; what the surface reports.
+    pub fn check_distance(&self, [u, v]: [[f64; 2]; 2], t: f64) -> Result<(), Diagnostic> {
+        let [u, v] = [u, v].map(|range| nodes(NodeKind::Ends, LOOKED_AT, range));
+        let mut points = vec![[0.0; 3]; u.len() * v.len()];
+        self.base.evaluate_grid(Derivative::NONE, (&u, &v, t), &mut points)?;
+        let first = points.first().copied().unwrap_or_default();
+        let farthest = |from: [f64; 3]| {
+            let differences = points.iter().flat_map(|point| point.iter().zip(from).map(|(a, b)| (a - b).abs()));
+            differences.fold(0.0, f64::max)
+        };
+        let size = farthest(first);
+        let (_, offset) = self.placement.at(&self.params, t, 0)?;
+        let distance = offset.iter().fold(0.0_f64, |most, entry| most.max(entry.abs()));
+        if is_lost(size, distance) {
+            let message = format!(
+                "a copy lies {distance:.1e} away, so that rounding leaves too little of its size of {size:.1e}"
+            );
+            return Err(Diagnostic::new(Code::ShapeLost, message)
+                .at(self.placement.origin)
+                .hint("place it by a distance that is comparable with its size"));
+        }
+        Ok(())
     }
 
     /// Applies Leibniz' rule at one instant: `of_base` gives a derivative of the base.

@@ -1,12 +1,13 @@
 //! Where and when a solved surface holds.
 
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::{Code, Diagnostic, Shortest};
 use crate::kernels::grid::Number;
 
 /// Refuses another instant than the only one at which a solution holds.
 pub(super) fn check_instant(instant: Option<f64>, t: f64) -> Result<(), Diagnostic> {
     match instant {
         Some(instant) if instant != t => {
+            let (instant, t) = (Shortest(instant), Shortest(t));
             let message = format!("this solution holds at t = {instant}, not at t = {t}");
             Err(Diagnostic::new(Code::UnsupportedByMethod, message).hint("solve at that instant"))
         }

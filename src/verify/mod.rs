@@ -8,19 +8,24 @@ mod apex;
 mod contact;
 mod join;
 mod overlap;
+mod passed_over;
 mod seam;
 
 pub use apex::{ApexDeviation, verify_apexes};
 pub use join::{JoinDeviation, verify_joins};
 pub use overlap::{Curve, Parts, common_part};
+pub use passed_over::{check_deformations, refuse_poles};
 pub use seam::{Edge, Line, SeamDeviation};
 
 use crate::diagnostic::{Code, Diagnostic, Shortest, Span};
 use crate::eval::{Backend, Program, Samples, compile};
 use crate::expr::{Derivative, ExprId, Graph, Notation, Variable};
+use crate::features::Features;
 use crate::numeric::{NodeKind, nodes};
 use crate::problem::{Bindings, BoundaryCondition, DomainValues, Patch, Problem, SideCondition, describe};
 use crate::surface::Surface;
+
+use passed_over::{check_poles, features_of};
 
 /// What was measured.
 #[derive(Debug, Clone, PartialEq)]
@@ -72,20 +77,21 @@ const GRID: [usize; 2] = [23, 37];
 
 /// Measures `surface` as a solution of `patch` at instant `t`.
 ///
-/// The residual is taken inside the domain and on its border, 23 x 37 points; if all four sides carry data, inside
-/// only.
+/// The residual is taken inside the domain and on its border, at 23 x 37 points and where data, coefficients or force are
+/// narrow; if all four sides carry data, inside only.
 ///
 /// # Errors
-/// [`Code::DataNotFinite`] when the boundary data are not finite somewhere on the grid, whatever the surface
-/// says when it cannot be evaluated.
+/// [`Code::DataNotFinite`] when the boundary data are not finite somewhere on the grid, or data, a coefficient or the
+/// force have a pole between its points; whatever the surface says when it cannot be evaluated.
 pub fn verify(
     problem: &Problem,
     patch: &Patch,
     surface: &dyn Surface,
     (bindings, domain, t): (&Bindings, &DomainValues, f64),
 ) -> Result<Verification, Diagnostic> {
-    let v = with_ends(GRID[1], domain.v);
-    let u = with_ends(GRID[0], domain.u);
+    let features = features_of(problem, patch, (bindings, domain, t));
+    let v = Features::refined(&features.v, &with_ends(GRID[1], domain.v), domain.v);
+    let u = Features::refined(&features.u, &with_ends(GRID[0], domain.u), domain.u);
     let mut boundary_errors = Vec::with_capacity(patch.conditions.len() + patch.side_conditions.len());
     let mut data_size = 0.0_f64;
     for side in sides(patch) {
@@ -94,6 +100,7 @@ pub fn verify(
         boundary_errors.push(error);
         data_size = data_size.max(size);
     }
+    check_poles(problem, patch, &features, (bindings, t))?;
     // Four sides meet in corners, where the data need not satisfy the equation: only the inside is judged.
     let inside = |nodes: &[f64]| nodes.get(1..nodes.len() - 1).map(<[f64]>::to_vec).unwrap_or_default();
     let (u, v) = if patch.is_four_sided() { (inside(&u), inside(&v)) } else { (u, v) };

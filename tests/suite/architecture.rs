@@ -11,7 +11,7 @@ const RANKS: &[(u8, &[&str])] = &[
     (0, &["limits", "diagnostic", "kernels"]),
     (1, &["expr", "numeric"]),
     (2, &["syntax", "problem", "eval", "trial", "curves"]),
-    (3, &["decompose", "surface", "multisided"]),
+    (3, &["decompose", "surface", "multisided", "features"]),
     (4, &["resolve", "method", "verify", "tessellate", "net", "fit", "morph"]),
     (5, &["blend", "emit", "export", "render"]),
 ];

@@ -29,6 +29,7 @@ mod evaluators;
 mod exact;
 mod explanation;
 mod exports;
+mod features;
 mod fields;
 #[cfg(feature = "cli")]
 mod figures;

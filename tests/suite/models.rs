@@ -243,6 +243,21 @@ fn copies_of_copies_have_names_and_one_copy_can_be_asked_for() {
 }
 
 #[test]
+fn copy_so_far_away_that_no_digits_of_it_remain_is_refused() {
+    let folder = Folder::new();
+    for (plane, is_lost) in [("1e300", true), ("1e12", true), ("1e5", false)] {
+        let text = BLADES.lines().take(6).chain(["mirror blade in y = "]).collect::<Vec<_>>().join("\n");
+        let checked = trimline(&["check", &folder.spec(format!("{text}{plane}"))]);
+        assert_eq!(text_of(&checked).contains("E0713"), is_lost, "{plane}: {}", text_of(&checked));
+    }
+}
+
+/// What a command says on standard error.
+fn text_of(output: &std::process::Output) -> String {
+    text(&output.stderr)
+}
+
+#[test]
 fn mirrored_mesh_faces_outward_as_its_original_does() {
     // The cubic across a cylinder is the cylinder.
     let spec = "patch half {

@@ -178,6 +178,8 @@ impl Spec {
             Part::Copy(copied) => {
                 let base = self.shape(&copied.original, time)?.surface;
                 let placed = PlacedSurface::new(base, Arc::clone(&copied.placement), self.bindings.as_slice());
+                let domain = part.domain();
+                placed.check_distance([domain.u, domain.v], time).map_err(|finding| self.fault(finding))?;
                 // What is to be said is said of the original.
                 Ok(Shape { surface: Arc::new(placed), warnings: Diagnostics::new(), net: None })
             }

@@ -13,6 +13,7 @@ use super::{Amplified, ExactSolver, MOST_TERMS, Progress};
 use crate::decompose::Decomposition;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
 use crate::expr::{ExprId, Node};
+use crate::features::Feature;
 use crate::numeric::{NodeKind, nodes};
 
 /// Amplifications below this cost less than one digit: nothing is said.
@@ -118,22 +119,37 @@ impl ExactSolver {
     }
 
     /// The finding for a block that the largest number of terms does not resolve.
-    pub(super) fn unresolved(&self, members: &[usize], progress: &Progress<'_>) -> Diagnostic {
+    pub(super) fn unresolved(&self, members: &[usize], progress: &mut Progress<'_>) -> Diagnostic {
         let j = members.first().copied().unwrap_or(0);
         // Near resonance rounding errors grow until no number of terms helps.
-        if let Some(worst) =
-            progress.worst.as_ref().filter(|worst| worst.members == members && worst.factor > UNRELIABLE)
-        {
-            return self.resonant(worst.factor, j);
+        if let Some(worst) = progress.worst.take_if(|worst| worst.members == members && worst.factor > UNRELIABLE) {
+            return self.resonant_at(&worst, progress);
         }
-        let message = format!(
-            "the solution along `{}` has layers too thin for {MOST_TERMS} terms across the blend",
-            self.name(j)
-        );
-        Diagnostic::new(Code::SolutionNotFinite, message).at(self.origin(j)).hint(
-            "the coefficient of the highest derivative in u is small or zero somewhere compared with the others, or the force \
-             or a coefficient has a jump, a pole or a spike in u; smooth it, or choose a fitted method",
-        )
+        let name = self.name(j);
+        let thinnest = progress.features.iter().min_by(|a, b| a.width.total_cmp(&b.width));
+        let (message, hint) = match (thinnest, self.fastest_rate(members, progress)) {
+            (Some(Feature { at, width }), _) => (
+                format!(
+                    "{MOST_TERMS} terms across the blend do not resolve the solution along `{name}`: the force or a coefficient \
+                     changes within {width:.1e} at u = {at:.6}"
+                ),
+                "make it wider, or choose a fitted method and measure what it leaves of the equation",
+            ),
+            (None, Ok(rate)) if rate > 1.0 && rate.is_finite() => (
+                format!(
+                    "the solution along `{name}` has layers too thin for {MOST_TERMS} terms across the blend, about {:.1e} wide",
+                    1.0 / rate
+                ),
+                "the coefficient of the highest derivative in u is small or zero somewhere compared with the others; make it \
+                 larger, or choose a fitted method",
+            ),
+            _ => (
+                format!("{MOST_TERMS} terms across the blend do not resolve the solution along `{name}`"),
+                "the coefficient of the highest derivative in u is zero somewhere, or the force or a coefficient has a jump or \
+                 a kink in u; smooth it, or choose a fitted method",
+            ),
+        };
+        Diagnostic::new(Code::SolutionNotFinite, message).at(self.origin(j)).hint(hint)
     }
 
     /// The finding for numbers that leave the doubles.
@@ -156,12 +172,28 @@ impl ExactSolver {
         )
     }
 
-    pub(super) fn resonant(&self, amplification: f64, j: usize) -> Diagnostic {
-        let how = if amplification.is_finite() { format!(" ({amplification:.1e} times)") } else { String::new() };
-        let message = format!("the equation is resonant along `{}`: it has no reliable solution{how}", self.name(j));
-        Diagnostic::new(Code::Resonant, message)
-            .at(self.origin(j))
-            .hint("change a coefficient of the equation a little, or choose a fitted method such as `sine`")
+    /// The finding for a block that amplifies too much, with the coefficients at which there is no solution.
+    pub(super) fn resonant_at(&self, worst: &Amplified, progress: &mut Progress<'_>) -> Diagnostic {
+        let j = worst.members.first().copied().unwrap_or(0);
+        let critical = self.critical_value(worst, progress).ok().flatten();
+        self.resonant(Some(worst.factor), critical.as_deref(), j)
+    }
+
+    /// The finding for an equation without a reliable solution, or without any if nothing is known of how it amplifies.
+    pub(super) fn resonant(&self, amplification: Option<f64>, critical: Option<&str>, j: usize) -> Diagnostic {
+        let name = self.name(j);
+        let message = match amplification {
+            Some(factor) => format!(
+                "the equation is resonant along `{name}`: it amplifies what is prescribed {factor:.1e} times, and rounding with it"
+            ),
+            None => format!("the equation is resonant along `{name}`: it has no solution, or more than one"),
+        };
+        let finding = Diagnostic::new(Code::Resonant, message).at(self.origin(j));
+        let finding = match critical {
+            Some(critical) => finding.hint(format!("there is no solution at {critical}")),
+            None => finding,
+        };
+        finding.hint("change a coefficient of the equation a little, or choose a fitted method such as `sine`")
     }
 }
 

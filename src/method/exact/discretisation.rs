@@ -6,8 +6,9 @@ use nalgebra::DMatrix;
 
 use super::block::Tables;
 use super::system::evaluate;
-use super::{ExactSolver, Progress};
+use super::{ExactSolver, MANY_NODES, Progress};
 use crate::diagnostic::{Code, Diagnostic};
+use crate::features::Features;
 use crate::numeric::{NodeKind, nodes};
 use crate::trial::{CorrectedTrial, IntegratedLegendre, Modes};
 
@@ -37,7 +38,8 @@ impl ExactSolver {
         Ok(modes)
     }
 
-    /// `count` nodes, with tables of at least `terms` trial functions.
+    /// `count` nodes, with tables of at least `terms` trial functions; if `count` is [`MANY_NODES`], also nodes where entries
+    /// and forces are narrow.
     pub(super) fn discretise(
         &self,
         count: usize,
@@ -53,7 +55,10 @@ impl ExactSolver {
             return Ok(Arc::clone(known));
         }
         let modes = self.modes(wanted, progress)?;
-        let u = nodes(NodeKind::Gauss, count, progress.range);
+        let mut u = nodes(NodeKind::Gauss, count, progress.range);
+        if count == MANY_NODES {
+            u = Features::refined(&progress.features, &u, progress.range);
+        }
         let mut values = vec![DMatrix::zeros(u.len(), modes.count()); self.order + 1];
         for (node, &u) in u.iter().enumerate() {
             for (table, derivatives) in values.iter_mut().zip(modes.derivatives_up_to(self.order, u)) {

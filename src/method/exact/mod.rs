@@ -20,7 +20,8 @@ use super::{Method, Options, Report, Solution, Solver};
 use crate::decompose::{Closure, Decomposition, close};
 use crate::diagnostic::{Code, Diagnostic, Shortest, Span};
 use crate::eval::{Backend, Evaluator, Program, compile};
-use crate::expr::{ExprId, Notation};
+use crate::expr::{ExprId, Graph, Notation};
+use crate::features::{Feature, locate};
 use crate::limits::Limits;
 use crate::surface::{Basis, Coefficients, SeparableSurface};
 use crate::trial::{CorrectedTrial, Modes};
@@ -37,7 +38,8 @@ const MOST_TERMS: usize = 512;
 /// A residual below this that does not fall any more is rounding, which stiff equations amplify in the highest
 /// derivative; it is reported by `verify` as what it is.
 const NOISE: f64 = 1e-8;
-/// Nodes at which a force or coefficients that depend on u are looked at once more before a solution is accepted.
+/// Nodes at which a force or coefficients that depend on u are looked at once more before a solution is accepted, and with
+/// them those where they are narrow.
 const MANY_NODES: usize = 509;
 const DEFAULT_TOLERANCE: f64 = 1e-12;
 
@@ -96,6 +98,8 @@ impl Method for Exact {
             coefficients: amplification::coefficient_symbols(decomposition),
             has_force: forces.iter().any(|expr| !graph.is_zero(*expr)),
             entries_vary: varies_with_u(&entries),
+            varying: entries.iter().chain(&forces).copied().filter(|expr| graph.dependence(*expr).u).collect(),
+            graph: graph.clone(),
             entry_values: interpreted(&entries),
             force_values: interpreted(&forces),
             constant_values: interpreted(&constants),
@@ -119,6 +123,9 @@ struct ExactSolver {
     coefficients: Vec<(usize, String)>,
     has_force: bool,
     entries_vary: bool,
+    /// Entries and forces that depend on u, which may be narrow there.
+    varying: Vec<ExprId>,
+    graph: Graph,
     system: System,
     entry_values: Arc<dyn Evaluator>,
     force_values: Arc<dyn Evaluator>,
@@ -133,6 +140,8 @@ struct Progress<'a> {
     functionals: Vec<(f64, usize)>,
     /// Boundary coefficients by condition, basis function, component.
     boundary: Vec<f64>,
+    /// Where entries and forces are narrow in u.
+    features: Vec<Feature>,
     /// For each function that is solved, a row per mode.
     solved: Vec<Option<DMatrix<f64>>>,
     /// Functions of u by number of trial functions.
@@ -167,6 +176,7 @@ impl Solver for ExactSolver {
             range,
             functionals: positions.iter().copied().zip(self.orders.iter().copied()).collect(),
             boundary: boundary.to_vec(),
+            features: locate(&self.graph, &self.varying, params, [range, range], 0.0).u,
             solved: vec![None; self.basis.len()],
             modes: FxHashMap::default(),
             discretisations: FxHashMap::default(),
@@ -217,9 +227,18 @@ impl Solver for ExactSolver {
 
 impl ExactSolver {
     /// The number of terms to begin with: enough, in most cases, for the fastest exponential of the block.
-    ///
-    /// The solutions of `Σ_p b_p G^(p) = 0` vary as e^(κu) with |κ| up to about the largest `|b_p/b_n|^(1/(n-p))`.
     fn first_terms(&self, members: &[usize], progress: &Progress<'_>) -> Result<usize, Diagnostic> {
+        let [low, high] = progress.range;
+        let spread = self.fastest_rate(members, progress)? * (high - low) * -libm::log(self.tolerance);
+        // Measured over published problems; the tail decides, this only saves attempts.
+        let wanted = 8.0 + 1.3 * spread.sqrt();
+        // In steps of 6, so that blocks share nodes.
+        let steps = (wanted / 6.0).ceil().clamp(3.0, 20.0);
+        Ok(6 * steps as usize)
+    }
+
+    /// The solutions of `Σ_p b_p G^(p) = 0` vary as e^(κu) with |κ| up to about the largest `|b_p/b_n|^(1/(n-p))`, or 1.
+    fn fastest_rate(&self, members: &[usize], progress: &Progress<'_>) -> Result<f64, Diagnostic> {
         let [low, high] = progress.range;
         let entries = self.entries_at(progress.params, &[0.5 * (low + high)])?;
         let value = |equation: usize, order: usize| -> f64 {
@@ -236,12 +255,7 @@ impl ExactSolver {
                 fastest = fastest.max(libm::pow(value(equation, order) / leading, exponent));
             }
         }
-        let spread = fastest * (high - low) * -libm::log(self.tolerance);
-        // Measured over published problems; the tail decides, this only saves attempts.
-        let wanted = 8.0 + 1.3 * spread.sqrt();
-        // In steps of 6, so that blocks share nodes.
-        let steps = (wanted / 6.0).ceil().clamp(3.0, 20.0);
-        Ok(6 * steps as usize)
+        Ok(fastest)
     }
 
     /// Solves the functions of one block with as many terms as the tolerance needs.
@@ -272,7 +286,7 @@ impl ExactSolver {
             let is_noise = residual <= NOISE && before.is_some_and(|before| residual >= 0.5 * before);
             let mut is_resolved = residual <= self.tolerance || is_noise;
             // Something narrow may lie between all of these nodes.
-            if is_resolved && !is_smooth && between < MANY_NODES {
+            if is_resolved && !is_smooth && (between < MANY_NODES || !progress.features.is_empty()) {
                 for (component, weights) in weights_of.iter().enumerate() {
                     let columns = if self.system.is_vector { component..component + 1 } else { 0..3 };
                     let here = self.residual_at(members, component, columns, weights, MANY_NODES, progress)?;
@@ -335,26 +349,31 @@ impl ExactSolver {
                     return Err(self.overflows(j));
                 }
                 let factorised = Factorised::new(matrix);
-                let factorised = Arc::new(factorised.ok_or_else(|| self.resonant(f64::INFINITY, j))?);
+                let factorised = Arc::new(factorised.ok_or_else(|| self.resonant(None, None, j))?);
                 let definite = block.definite_matrix(&discretisation.tables, trial);
                 let amplification = factorised.amplification(&definite, block.is_symmetric(self.order));
+                if !amplification.is_finite() {
+                    return Err(self.overflows(j));
+                }
+                let amplified = Amplified {
+                    factor: amplification,
+                    members: members.to_vec(),
+                    component,
+                    terms,
+                    factorised: Arc::clone(&factorised),
+                };
                 if amplification > amplification::RESONANT {
-                    return Err(self.resonant(amplification, j));
+                    return Err(self.resonant_at(&amplified, progress));
                 }
                 if progress.worst.as_ref().is_none_or(|worst| amplification > worst.factor) {
-                    progress.worst = Some(Amplified {
-                        factor: amplification,
-                        members: members.to_vec(),
-                        component,
-                        terms,
-                        factorised: Arc::clone(&factorised),
-                    });
+                    progress.worst = Some(amplified);
                 }
                 progress.factorised.insert(key, Arc::clone(&factorised));
                 factorised
             }
         };
-        factorised.solve(&right).ok_or_else(|| self.resonant(f64::INFINITY, j))
+        // Resonance is refused above, so what is not finite here has overflowed.
+        factorised.solve(&right).ok_or_else(|| self.overflows(j))
     }
 
     /// The largest residual of a block's equations at `nodes` others than they were imposed at, relative to their
@@ -370,6 +389,7 @@ impl ExactSolver {
     ) -> Result<f64, Diagnostic> {
         let terms = weights.nrows() / members.len().max(1);
         let discretisation = self.discretise(nodes, terms, progress)?;
+        let nodes = discretisation.tables.values.first().map_or(0, DMatrix::nrows);
         let (block, right, largest) = self.block_of(members, component, &discretisation, nodes, progress);
         let cardinal = discretisation.tables.cardinal;
         let trial = cardinal..cardinal + terms;

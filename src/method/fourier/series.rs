@@ -11,6 +11,7 @@ use crate::decompose::Decomposition;
 use crate::diagnostic::{Code, Diagnostic, Shortest, Span};
 use crate::eval::{Backend, Evaluator, Program, Samples, compile};
 use crate::expr::{Derivative, ExprId, Graph, Notation};
+use crate::features::{Features, locate};
 use crate::numeric::trigonometric_coefficients;
 use crate::problem::describe_condition;
 
@@ -214,12 +215,16 @@ impl BoundaryData {
     /// [`Code::DataNotFinite`].
     pub fn series(&self, length: Length, range: [f64; 2], t: f64, params: &[f64]) -> Result<Series, Diagnostic> {
         let ends = self.ends(range, t, params)?;
+        // No number of samples need meet what is narrow; the measurement of what is left out must.
+        let narrow = Features::refined(&locate(&self.graph, &self.outputs, params, [range; 2], t).v, &[], range);
+        let of_narrow = self.at(&narrow, t, params)?.into_iter().flatten();
+        let size_of_narrow = of_narrow.fold(0.0_f64, |most, value| most.max(value.abs()));
         let mut count = FEWEST;
         let mut before: Option<Vec<Vec<[f64; 2]>>> = None;
         loop {
             let places = spaced(range, count, 0.0);
             let whole = self.at(&places, t, params)?;
-            let size = whole.iter().flatten().fold(0.0_f64, |most, value| most.max(value.abs()));
+            let size = whole.iter().flatten().fold(size_of_narrow, |most, value| most.max(value.abs()));
             let samples = if ends.is_some() { self.periodic_part(ends.as_ref(), &places, t, params)? } else { whole };
             let coefficients = trigonometric_coefficients(&samples);
             let (modes, is_settled) = match length {
@@ -235,7 +240,8 @@ impl BoundaryData {
                 }
             };
             if is_settled && modes < count / 2 {
-                let series = self.truncated((&coefficients, ends.as_ref()), modes, size, range, t, params)?;
+                let series =
+                    self.truncated((&coefficients, ends.as_ref()), (modes, size), (range, &narrow), t, params)?;
                 // A function between whose samples nothing can be seen is seen by the points of the measurement.
                 let is_true = match length {
                     Length::Adaptive(tolerance, most) => {
@@ -252,13 +258,12 @@ impl BoundaryData {
         }
     }
 
-    /// The first `modes` of `coefficients`, turned to begin at v = 0, and what they leave out.
+    /// The first `modes` of `coefficients`, turned to begin at v = 0, and what they leave out, measured at `narrow` places too.
     fn truncated(
         &self,
         (coefficients, ends): (&[Vec<[f64; 2]>], Option<&Ends>),
-        modes: usize,
-        size: f64,
-        range: [f64; 2],
+        (modes, size): (usize, f64),
+        (range, narrow): ([f64; 2], &[f64]),
         t: f64,
         params: &[f64],
     ) -> Result<Series, Diagnostic> {
@@ -275,6 +280,7 @@ impl BoundaryData {
         // Incommensurable with the samples; and the ends, where slopes may jump and the error has its peak.
         let mut v = spaced(range, (8 * modes + 97).max(257), 0.381_966);
         v.extend(range);
+        v.extend(narrow);
         let (mut left_out, mut worst) = (0.0_f64, 0);
         for (index, (pairs, values)) in kept.iter().zip(self.periodic_part(ends, &v, t, params)?).enumerate() {
             for (v, value) in v.iter().zip(values) {
