@@ -20,7 +20,7 @@ use crate::surface::{BsplineSurface, Surface};
 
 use breakpoints::Breakpoints;
 use line::{Line, end_orders};
-use measure::{Measured, Seam, seam};
+use measure::{Axis, Measured, Seam, seam};
 
 /// A surface to be fitted, on a rectangle of its parameters.
 pub struct Target<'a> {
@@ -54,8 +54,10 @@ impl Default for Settings {
 pub struct Fitted {
     /// The B-spline, clamped, over the target's own parameters.
     pub surface: BsplineSurface,
-    /// The largest distance of points of equal parameters, measured at 5 x 5 Gauss points in every cell and along all
-    /// edges. Points of the B-spline are at most that far from the surface.
+    /// The largest distance of points of equal parameters, measured along all edges and at 5 x 5 Gauss points in every
+    /// cell: cells between knots, between the places where the surface says that its pieces meet
+    /// ([`Surface::breaks`]), and of 16 x 16 equal parts. What is narrower than a part, lies
+    /// between these points and is announced by none of these places is not seen.
     pub deviation: f64,
     /// The same along the edges at both ends of u.
     pub edge_deviation: f64,
@@ -77,7 +79,7 @@ const LEAST_TOLERANCE: f64 = 1e-13;
 const MOST_ROUNDS: usize = 16;
 
 /// So many rounds may pass without progress: a surface that waves faster than the first knots shows none at first.
-const MOST_IDLE_ROUNDS: usize = 3;
+const MOST_IDLE_ROUNDS: usize = 5;
 
 /// Fits `targets` at instant `t`, together: those with an equal range of u, or of v, have its knots in common.
 ///
@@ -93,10 +95,12 @@ pub fn fit(targets: &[Target], t: f64, settings: &Settings, limits: &Limits) -> 
     }
     let mut work = targets.iter().map(|target| Work::new(target, t, settings)).collect::<Result<Vec<_>, _>>()?;
     let mut spans_in = [Breakpoints::default(), Breakpoints::default()];
-    for target in targets {
-        spans_in[0].add(target.u, FIRST_SPANS[0]);
-        spans_in[1].add(target.v, FIRST_SPANS[1]);
+    for one in &work {
+        let ([in_u, in_v], [breaks_u, breaks_v]) = (&mut spans_in, &one.breaks);
+        in_u.add(one.target.u, breaks_u, false);
+        in_v.add(one.target.v, breaks_v, one.seam == Seam::Smooth);
     }
+    spans_in.iter_mut().zip(FIRST_SPANS).for_each(|(lines, spans)| lines.start(spans));
     let mut best = f64::INFINITY;
     let mut idle = 0;
     for _ in 0..MOST_ROUNDS {
@@ -117,10 +121,11 @@ pub fn fit(targets: &[Target], t: f64, settings: &Settings, limits: &Limits) -> 
         }
         let [in_u, in_v] = &mut spans_in;
         for one in &work {
-            let goal = one.goal();
-            in_u.refine(one.target.u, &one.measured.spans_u, goal, settings.degree);
-            in_v.refine(one.target.v, &one.measured.spans_v, goal, settings.degree);
+            let [pieces_u, pieces_v] = one.measured.pieces(one.tolerance, settings.degree);
+            in_u.ask(one.target.u, &pieces_u);
+            in_v.ask(one.target.v, &pieces_v);
         }
+        spans_in.iter_mut().for_each(Breakpoints::divide);
     }
     let worst = work.iter().max_by(|a, b| a.excess().total_cmp(&b.excess()));
     Err(worst.map_or_else(
@@ -137,6 +142,8 @@ struct Work<'a> {
     target: &'a Target<'a>,
     tolerance: f64,
     seam: Seam,
+    /// Where pieces of the target meet, in u and in v.
+    breaks: [Vec<f64>; 2],
     fitted: Option<BsplineSurface>,
     measured: Measured,
 }
@@ -159,7 +166,8 @@ impl<'a> Work<'a> {
             let message = format!("the tolerance {tolerance:.1e} is below the rounding of `{}`", target.name);
             return Err(Diagnostic::new(Code::SettingOutOfRange, message).hint(format!("ask for {least:.0e} or more")));
         }
-        Ok(Work { target, tolerance, seam, fitted: None, measured: Measured::default() })
+        let breaks = target.surface.breaks([target.u, target.v], t)?;
+        Ok(Work { target, tolerance, seam, breaks, fitted: None, measured: Measured::default() })
     }
 
     /// Interpolates over `breakpoints` of u and v, and measures.
@@ -179,12 +187,15 @@ impl<'a> Work<'a> {
         if points > limits.control_points {
             return Err(self.limit("control-points", limits.control_points, points));
         }
-        let samples = Measured::samples(breakpoints);
+        let across = Line::new(degree, in_u, false).ok_or_else(unsolvable)?;
+        let along = Line::new(degree, in_v, self.seam == Seam::Smooth).ok_or_else(unsolvable)?;
+        let [breaks_u, breaks_v] = &self.breaks;
+        let [axis_u, axis_v] =
+            [Axis::new(in_u, of_order(&across, 0).1, breaks_u), Axis::new(in_v, of_order(&along, 0).1, breaks_v)];
+        let samples = Measured::samples([&axis_u, &axis_v]);
         if samples > limits.samples {
             return Err(self.limit("samples", limits.samples, samples));
         }
-        let across = Line::new(degree, in_u, false).ok_or_else(unsolvable)?;
-        let along = Line::new(degree, in_v, self.seam == Seam::Smooth).ok_or_else(unsolvable)?;
         let data = self.data([&across, &along], t, degree)?;
         let columns = along.functionals().len();
         let rows = data.chunks(columns).map(|row| along.control_points(row)).collect::<Option<Vec<_>>>();
@@ -202,7 +213,7 @@ impl<'a> Work<'a> {
             .transposed()
             .clamped();
         let fitted = if self.seam == Seam::Open { fitted } else { fitted.closed_in_v() };
-        self.measured = Measured::new(self.target, &fitted, breakpoints, t)?;
+        self.measured = Measured::new(self.target, &fitted, [&axis_u, &axis_v], t)?;
         self.fitted = Some(fitted);
         Ok(())
     }
@@ -242,13 +253,6 @@ impl<'a> Work<'a> {
     fn excess(&self) -> f64 {
         let excess = self.measured.deviation / self.tolerance;
         if excess.is_nan() { f64::INFINITY } else { excess }
-    }
-
-    /// What the error in each direction alone should stay below: less than half the tolerance, or less than it is now
-    /// where both directions are below that and their sum is not.
-    fn goal(&self) -> f64 {
-        let largest = self.measured.largest_of_directions();
-        if largest <= 0.4 * self.tolerance { 0.5 * largest } else { 0.4 * self.tolerance }
     }
 
     fn limit(&self, name: &str, limit: usize, asked: usize) -> Diagnostic {

@@ -25,6 +25,15 @@ impl Surface for WeightedSurface {
         Ok(())
     }
 
+    fn breaks(&self, domain: [[f64; 2]; 2], t: f64) -> Result<[Vec<f64>; 2], Diagnostic> {
+        let mut all = [Vec::new(), Vec::new()];
+        for (_, surface) in &self.parts {
+            let found = surface.breaks(domain, t)?;
+            all.iter_mut().zip(found).for_each(|(all, found)| all.extend(found));
+        }
+        Ok(all)
+    }
+
     fn evaluate_grid(
         &self,
         derivative: Derivative,

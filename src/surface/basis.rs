@@ -74,6 +74,14 @@ impl Basis {
         }
     }
 
+    /// The values of v, or of u, inside `range` at instant `t` at which functions are put together of pieces.
+    ///
+    /// # Errors
+    /// When parameters are missing.
+    pub fn breaks(&self, params: &[f64], range: [f64; 2], t: f64) -> Result<Vec<f64>, Diagnostic> {
+        self.functions.breaks(params, range, t)
+    }
+
     /// One program for some derivatives of every function: all functions of the first derivative, then of the next.
     ///
     /// # Errors

@@ -190,6 +190,11 @@ impl Surface for CoonsSurface {
         finite(values)
     }
 
+    fn breaks(&self, [range_u, range_v]: [[f64; 2]; 2], t: f64) -> Result<[Vec<f64>; 2], Diagnostic> {
+        let in_u = self.sides.at_v.breaks(&self.params, range_u, t)?;
+        Ok([in_u, self.sides.at_u.breaks(&self.params, range_v, t)?])
+    }
+
     fn evaluate_grid(
         &self,
         derivative: Derivative,

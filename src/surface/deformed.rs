@@ -146,6 +146,17 @@ impl Surface for DeformedSurface {
         self.base.regions().into_iter().chain(own).collect()
     }
 
+    fn breaks(&self, domain: [[f64; 2]; 2], t: f64) -> Result<[Vec<f64>; 2], Diagnostic> {
+        let mut breaks = self.base.breaks(domain, t)?;
+        for region in &self.regions {
+            let borders = breaks.iter_mut().zip([region.u, region.v]).zip(domain);
+            for ((breaks, borders), [low, high]) in borders {
+                breaks.extend(borders.into_iter().filter(|border| low < *border && *border < high));
+            }
+        }
+        Ok(breaks)
+    }
+
     fn evaluate_grid(
         &self,
         derivative: Derivative,

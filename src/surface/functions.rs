@@ -4,6 +4,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use rustc_hash::FxHashMap;
 
+use super::breaks::breaks;
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::eval::{Backend, Evaluator, Program, Samples, compile};
 use crate::expr::{Derivative, ExprId, Graph};
@@ -87,6 +88,17 @@ impl Functions {
             result.map_err(|fault| fault.to_diagnostic(derivative, self.graph_nodes).at(*origin))
         };
         self.functions.iter().map(derived).collect()
+    }
+
+    /// The values of the coordinate the functions depend on, inside `range` at instant `t`, at which they are put together
+    /// of pieces.
+    ///
+    /// # Errors
+    /// When parameters are missing.
+    pub fn breaks(&self, params: &[f64], range: [f64; 2], t: f64) -> Result<Vec<f64>, Diagnostic> {
+        let guard = self.compiled.lock().unwrap_or_else(PoisonError::into_inner);
+        let functions: Vec<ExprId> = self.functions.iter().map(|(function, _)| *function).collect();
+        breaks(&guard.graph, &functions, params, range, t)
     }
 
     fn evaluator(&self, derivative: Derivative) -> Result<Arc<dyn Evaluator>, Diagnostic> {

@@ -4,6 +4,7 @@
 
 mod apex;
 mod basis;
+mod breaks;
 pub mod bspline;
 mod coons;
 mod deformed;
@@ -52,6 +53,16 @@ pub trait Surface {
     /// it is less smooth than elsewhere. None for most surfaces.
     fn regions(&self) -> Vec<[[f64; 2]; 2]> {
         Vec::new()
+    }
+
+    /// The values of u, and of v, inside `domain` at which the surface is known to be put together of pieces at instant
+    /// `t`, in no order: borders of deformed regions, knots, corners of data. Between them a part of the surface may be
+    /// hidden from a look at the others.
+    ///
+    /// # Errors
+    /// When it cannot be evaluated.
+    fn breaks(&self, _domain: [[f64; 2]; 2], _t: f64) -> Result<[Vec<f64>; 2], Diagnostic> {
+        Ok([Vec::new(), Vec::new()])
     }
 
     /// Writes a partial derivative of S at instant `t` on the grid of all `u` and `v`, u-major:

@@ -181,6 +181,10 @@ impl Surface for PlacedSurface {
         Ok(())
     }
 
+    fn breaks(&self, domain: [[f64; 2]; 2], t: f64) -> Result<[Vec<f64>; 2], Diagnostic> {
+        self.base.breaks(domain, t)
+    }
+
     fn evaluate_grid(
         &self,
         derivative: Derivative,

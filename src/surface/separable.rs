@@ -101,6 +101,10 @@ impl Surface for SeparableSurface {
         Some(self)
     }
 
+    fn breaks(&self, [_, range_v]: [[f64; 2]; 2], t: f64) -> Result<[Vec<f64>; 2], Diagnostic> {
+        Ok([Vec::new(), self.basis.breaks(&self.params, range_v, t)?])
+    }
+
     fn evaluate(&self, derivative: Derivative, points: &[[f64; 3]], values: &mut [[f64; 3]]) -> Result<(), Diagnostic> {
         self.evaluate_all(&[derivative], points, &mut [values])
     }

@@ -1,9 +1,11 @@
 //! Surfaces as B-splines: the promised distance, measured apart, and what happens at edges and seams.
 
-use trimline::diagnostic::{Code, Diagnostic};
+use trimline::blend::Blend;
+use trimline::diagnostic::{Code, Diagnostic, Source};
 use trimline::expr::Derivative;
 use trimline::fit::{Fitted, Settings, Target, fit};
 use trimline::limits::Limits;
+use trimline::method::Options;
 use trimline::surface::{BsplineSurface, Surface};
 
 use crate::bspline::{distance, places, surface};
@@ -263,6 +265,111 @@ fn jump_is_not_fitted_and_says_so() {
     );
     assert_eq!(found.code, Code::ToleranceNotReached, "{found}");
     assert!(found.message.contains("`part` deviates by"), "{found}");
+}
+
+/// A plane with a hill that is zero, with two derivatives, outside a rectangle.
+struct Hill {
+    u: [f64; 2],
+    v: [f64; 2],
+    /// Whether the surface tells where the rectangle is.
+    is_announced: bool,
+}
+
+impl Surface for Hill {
+    fn evaluate(&self, derivative: Derivative, points: &[[f64; 3]], values: &mut [[f64; 3]]) -> Result<(), Diagnostic> {
+        for ([u, v, _], value) in points.iter().zip(values) {
+            let [x, y] = [(u, self.u), (v, self.v)].map(|(at, [low, high])| (at - low) / (high - low));
+            let is_inside = (0.0..=1.0).contains(&x) && (0.0..=1.0).contains(&y);
+            let bell = |x: f64| 64.0 * (x * (1.0 - x)).powi(3);
+            *value = match (derivative.u, derivative.v) {
+                (0, 0) if is_inside => [*u, *v, 0.5 * bell(x) * bell(y)],
+                (0, 0) => [*u, *v, 0.0],
+                // Asked for at the ends of the ranges, where there is no hill.
+                (1, 0) => [1.0, 0.0, 0.0],
+                (0, 1) => [0.0, 1.0, 0.0],
+                _ => [0.0; 3],
+            };
+        }
+        Ok(())
+    }
+
+    fn breaks(&self, _: [[f64; 2]; 2], _: f64) -> Result<[Vec<f64>; 2], Diagnostic> {
+        Ok(if self.is_announced { [self.u.to_vec(), self.v.to_vec()] } else { [Vec::new(), Vec::new()] })
+    }
+}
+
+/// The largest distance inside a rectangle.
+fn apart_within(surface: &dyn Surface, fitted: &BsplineSurface, rectangle: [[f64; 2]; 2], t: f64) -> f64 {
+    let [u, v] = rectangle.map(|[a, b]| (0..=40).map(|i| a + (b - a) * f64::from(i) / 40.0).collect::<Vec<f64>>());
+    let points = u.iter().flat_map(|u| v.iter().map(move |v| [*u, *v, t]));
+    points.fold(0.0, |most, point| f64::max(most, distance(at(surface, "", point), at(fitted, "", point))))
+}
+
+#[test]
+fn hill_between_all_first_knots_is_fitted() {
+    // The first was between all nodes and Gauss points of 4 x 8 spans, others between those of v or of u alone.
+    let hills = [
+        ([0.0325, 0.0975], [0.064, 0.096]),
+        ([0.0325, 0.0975], [0.02, 0.052]),
+        ([0.4, 0.45], [0.4, 0.45]),
+        ([0.4, 0.5], [0.4, 0.5]),
+        ([0.35, 0.5], [0.4, 0.5]),
+        ([0.61, 0.82], [0.13, 0.22]),
+        // A thousand times narrower than what is looked at unannounced.
+        ([0.7, 0.70001], [0.2, 0.20001]),
+    ];
+    for (u, v) in hills {
+        for is_announced in [true, false] {
+            // Ten points of a look are as close as that.
+            if !is_announced && f64::min(u[1] - u[0], v[1] - v[0]) < 0.08 {
+                continue;
+            }
+            for tolerance in [1e-1, 1e-3] {
+                let hill = Hill { u, v, is_announced };
+                let fit = fitted(&target(&hill, [0.0, 1.0], [0.0, 1.0]), 3, tolerance);
+                let apart = apart_within(&hill, &fit.surface, [u, v], 0.0);
+                assert!(apart <= 1.1 * tolerance, "{u:?} {v:?} {is_announced} {tolerance:e}: {apart:.1e}");
+                assert!(apart <= 1.2 * fit.deviation, "{u:?} {v:?}: {apart:.2e} above {:.2e}", fit.deviation);
+            }
+        }
+    }
+}
+
+#[test]
+fn borders_of_deformed_regions_and_knots_of_curves_are_places_a_fit_knows() {
+    let region = "deform u in [0.31, 0.36], v in [5.03, 5.45]";
+    let text = example("deformed").replace("deform u in [0.4, 0.5], v in [5.03, 5.65]", region);
+    assert!(text.contains(region));
+    let blend = Blend::compile(&Source::new("deformed", text), &Options::default()).expect("an example");
+    let solution = blend.solve(0, 0.0).expect("solved");
+    let found = solution.surface.breaks([[0.0, 1.0], [0.0, TURN]], 0.0).expect("known");
+    assert_eq!(found, [[0.31, 0.36], [5.03, 5.45]]);
+    let fit = fitted(&target(&*solution.surface, [0.0, 1.0], [0.0, TURN]), 3, 1e-4);
+    let apart = apart_within(&*solution.surface, &fit.surface, [[0.31, 0.36], [5.03, 5.45]], 0.0);
+    assert!(apart <= 1.1e-4, "{apart:.1e}");
+
+    let spline = surface(7, [3, 3], [6, 9]);
+    let found = spline.breaks(spline.domain(), 0.0).expect("known");
+    let inner = spline.knots().map(|knots| knots.breakpoints()[1..knots.breakpoints().len() - 1].to_vec());
+    assert_eq!(found, inner);
+}
+
+#[test]
+fn corner_along_a_line_is_reached_by_knots_that_crowd_at_it() {
+    fn ridge(order: usize, x: f64) -> f64 {
+        match order {
+            0 => (x - 0.3).abs(),
+            1 => (x - 0.3).signum(),
+            _ => 0.0,
+        }
+    }
+    fn line(order: usize, x: f64) -> f64 {
+        [x, 1.0, 0.0, 0.0][order]
+    }
+    let roof = Product([(line, one), (one, line), (ridge, one)]);
+    let fit = fitted(&target(&roof, [0.0, 1.0], [0.0, 1.0]), 3, 1e-6);
+    assert!(apart_within(&roof, &fit.surface, [[0.2999, 0.3001], [0.0, 1.0]], 0.0) <= 1.1e-6);
+    assert!(fit.surface.knots()[0].points() < 200);
 }
 
 #[test]

@@ -166,6 +166,14 @@ impl Surface for BsplineSurface {
         finite(values)
     }
 
+    fn breaks(&self, domain: [[f64; 2]; 2], _t: f64) -> Result<[Vec<f64>; 2], Diagnostic> {
+        let inside = |knots: &KnotVector, [low, high]: [f64; 2]| -> Vec<f64> {
+            knots.breakpoints().into_iter().filter(|knot| low < *knot && *knot < high).collect()
+        };
+        let [range_u, range_v] = domain;
+        Ok([inside(&self.u, range_u), inside(&self.v, range_v)])
+    }
+
     fn evaluate_grid(
         &self,
         derivative: Derivative,

@@ -54,6 +54,13 @@ impl Surface for MovingBspline {
         }
     }
 
+    fn breaks(&self, domain: [[f64; 2]; 2], t: f64) -> Result<[Vec<f64>; 2], Diagnostic> {
+        match self.orders.first() {
+            Some(surface) => surface.breaks(domain, t),
+            None => Ok([Vec::new(), Vec::new()]),
+        }
+    }
+
     fn evaluate_grid(
         &self,
         derivative: Derivative,
