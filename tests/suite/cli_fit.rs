@@ -39,6 +39,38 @@ fn report_as_json_agrees_with_the_file() {
     assert!(patch["deviation"].as_f64().expect("a number") <= 1e-5);
 }
 
+/// A patch at early and one at late instants, with ranges of t.
+fn patches_at(times: [&str; 2]) -> String {
+    let patch = |name: &str, times: &str, height: &str| {
+        format!(
+            "patch {name} {{ domain v in [0, 1], t in {times}\n at u = 0: S = [0, v, {height}], dS/du = [1, 0, 0]\n \
+             at u = 1: S = [1, v, 0], dS/du = [1, 0, 0] }}\n"
+        )
+    };
+    // The root of the second is real from t = 2 on only.
+    patch("early", times[0], "0") + &patch("late", times[1], "sqrt(t - 2)")
+}
+
+#[test]
+fn patches_are_fitted_at_an_instant_of_all_or_refused_with_their_times() {
+    let cases: &[([&str; 2], &[&str], i32, &str)] = &[
+        (["[0, 1]", "[2, 3]"], &[], 1, "`early` has t in [0, 1], `late` has t in [2, 3]"),
+        (["[0, 3]", "[2, 4]"], &["--time", "1"], 1, "t = 1 lies outside the time domain [2, 4] of `late`"),
+        (["[0, 3]", "[2, 4]"], &["--time", "3.5"], 1, "t = 3.5 lies outside the time domain [0, 3] of `early`"),
+        (["[0, 3]", "[2, 4]"], &[], 0, "late at t = 2"),
+    ];
+    for (times, options, expected, words) in cases {
+        let folder = Folder::new();
+        let spec = folder.path("two.trim");
+        std::fs::write(&spec, patches_at(*times)).expect("written");
+        let [spec, target] = [spec, folder.path("two.json")].map(|path| path.to_string_lossy().into_owned());
+        let output = trimline(&[&["fit", &spec, "-o", &target], *options].concat());
+        let said = text(&output.stderr);
+        assert_eq!(status(&output), *expected, "{times:?} {options:?}: {said}");
+        assert!(said.contains(words), "{times:?} {options:?}: {said}");
+    }
+}
+
 #[test]
 fn bad_requests_have_their_status_and_leave_nothing() {
     let cases: &[(&str, &[&str], i32, &str)] = &[

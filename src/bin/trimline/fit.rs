@@ -88,10 +88,10 @@ pub fn run(mut arguments: Arguments, terminal: &Terminal) -> Outcome {
     let spec = Spec::read(&arguments.spec, &arguments.solving.reading)?;
     let points = arguments.collocation.points.as_deref();
     let parts = spec.parts(&arguments.solving, points)?;
-    let Some(first) = parts.first() else {
+    if parts.is_empty() {
         return Err(spec.fault(Diagnostic::new(Code::EmptyDocument, "there is no patch to fit")));
-    };
-    let time = first.instant(arguments.solving.time)?;
+    }
+    let time = spec.instant(&parts, arguments.solving.time)?;
     let shapes: Vec<Shape> = parts.iter().map(|part| spec.shape(part, time)).collect::<Result<_, _>>()?;
     for shape in &shapes {
         print_warnings(&shape.warnings, &spec.source, terminal);

@@ -32,7 +32,7 @@ pub trait Located {
             Some(time) if (start..=end).contains(&time) => Ok(time),
             Some(time) => {
                 let (time, start, end) = (Shortest(time), Shortest(start), Shortest(end));
-                let message = format!("t = {time} lies outside the time domain [{start}, {end}]");
+                let message = format!("t = {time} lies outside the time domain [{start}, {end}] of `{}`", self.name());
                 let finding = Diagnostic::new(Code::PointOutsideDomain, message)
                     .hint("choose an instant inside, or widen `domain t in [..]` in the spec");
                 Err(option_finding("time", &time.to_string(), finding))

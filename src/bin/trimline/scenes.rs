@@ -70,16 +70,9 @@ impl Scenes {
     /// As many instants as `frames` over the time domain, or the one that the user asked for; at all of them every patch
     /// has a shape.
     pub fn times(&self, frames: Option<usize>, time: Option<f64>) -> Result<Vec<f64>, Failure> {
-        let range = self.spec.common_times(&self.parts)?;
         match frames {
-            None => match time {
-                None => Ok(vec![range[0]]),
-                time => {
-                    let times = self.parts.iter().map(|part| part.instant(time));
-                    Ok(times.collect::<Result<Vec<f64>, _>>()?.into_iter().take(1).collect())
-                }
-            },
-            Some(frames) => instants(range, frames, &self.spec.limits)
+            None => Ok(vec![self.spec.instant(&self.parts, time)?]),
+            Some(frames) => instants(self.spec.times(&self.parts)?, frames, &self.spec.limits)
                 .map_err(|finding| option_finding("frames", &frames.to_string(), finding)),
         }
     }

@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use trimline::blend::Prepared;
 use trimline::decompose::{Decomposition, decompose};
-use trimline::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span};
+use trimline::diagnostic::{Code, Diagnostic, Diagnostics, Shortest, Source, Span};
 use trimline::eval::Backend;
 use trimline::expr::Derivative;
 use trimline::limits::Limits;
@@ -115,12 +115,29 @@ impl Spec {
         Failure::one(&self.source, finding)
     }
 
-    /// The instants that lie in the time domain of every patch.
-    pub fn common_times<P: Located>(&self, parts: &[P]) -> Result<[f64; 2], Failure> {
+    /// The instants that lie in the time domain of every part; without one it is a fault that names two of the parts.
+    pub fn times<P: Located>(&self, parts: &[P]) -> Result<[f64; 2], Failure> {
         common_times(parts).ok_or_else(|| {
-            let finding = Diagnostic::new(Code::EmptyDomain, "no instant lies in the time domain of every patch");
+            let range = |part: &P| {
+                let [start, end] = part.domain().t.map(Shortest);
+                format!("`{}` has t in [{start}, {end}]", part.name())
+            };
+            let [latest, earliest] = [
+                parts.iter().max_by(|a, b| a.domain().t[0].total_cmp(&b.domain().t[0])),
+                parts.iter().min_by(|a, b| a.domain().t[1].total_cmp(&b.domain().t[1])),
+            ];
+            let ranges: Vec<String> = [earliest, latest].into_iter().flatten().map(range).collect();
+            let message = format!("no instant lies in the time domain of every patch: {}", ranges.join(", "));
+            let finding = Diagnostic::new(Code::EmptyDomain, message);
             self.fault(finding.hint("choose patches with --patch, or state one `domain t in [..]` for all"))
         })
+    }
+
+    /// The instant that the user asked for, which must lie in the time domain of every part, or the first that does.
+    pub fn instant<P: Located>(&self, parts: &[P], time: Option<f64>) -> Result<f64, Failure> {
+        let [start, _] = self.times(parts)?;
+        parts.iter().try_for_each(|part| part.instant(time).map(|_| ()))?;
+        Ok(time.unwrap_or(start))
     }
 
     /// The ranges of a primary surface's parameters: those stated, otherwise those given.

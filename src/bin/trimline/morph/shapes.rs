@@ -13,9 +13,8 @@ use trimline::verify::residuals;
 
 use crate::failure::Failure;
 use crate::options::{Solving, option_finding};
-use crate::parts::Located;
 use crate::scenes::Quantity;
-use crate::workflow::{Patched, Spec, common_times, select};
+use crate::workflow::{Patched, Spec, select};
 
 /// The method whose modes a morph takes away and adds.
 const SERIES: &str = "fourier";
@@ -239,7 +238,7 @@ impl End {
         let patched: Result<Vec<Patched>, Failure> =
             spec.patches.iter().map(|patch| spec.prepare(patch, solving, None)).collect();
         let patched = patched?;
-        let time = instant(&spec, &patched, solving.time)?;
+        let time = spec.instant(&patched, solving.time)?;
         let (mut surfaces, mut modes, mut warnings) = (Surfaces::new(), 0, spec.warnings.clone());
         for patch in &patched {
             let solution = spec.solve(patch, time)?.solution;
@@ -262,17 +261,6 @@ impl End {
         }
         Ok(End { spec, patched, surfaces, modes, warnings, time })
     }
-}
-
-/// The instant that the user asked for, or the first that all patches have.
-fn instant(spec: &Spec, patched: &[Patched], time: Option<f64>) -> Result<f64, Failure> {
-    let Some(time) = time else {
-        return common_times(patched).map(|[start, _]| start).ok_or_else(|| {
-            spec.fault(Diagnostic::new(Code::EmptyDomain, "no instant lies in the time domain of every patch"))
-        });
-    };
-    patched.iter().try_for_each(|patch| patch.instant(Some(time)).map(|_| ()))?;
-    Ok(time)
 }
 
 /// A number of modes between two whole ones as those two, with weights.

@@ -156,7 +156,7 @@ impl Compiled {
         for patched in &mut self.patches {
             patched.prepared.refresh(&spec.problem, &spec.bindings).map_err(|finding| spec.fault(finding))?;
         }
-        let times = spec.common_times(&self.patches)?;
+        let times = spec.times(&self.patches)?;
         let time = instant(time, times);
         let mut solved = Vec::with_capacity(self.patches.len());
         for patched in &self.patches {
