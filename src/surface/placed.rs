@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use super::Surface;
 use super::validity::finite;
+use super::{BsplineSurface, Surface};
 use crate::diagnostic::{Code, Diagnostic, Shortest, Span};
 use crate::eval::{Backend, Evaluator, Program, Samples, compile};
 use crate::expr::{Derivative, ExprId, Graph};
@@ -56,6 +56,28 @@ impl CompiledPlacement {
     pub fn is_reflection(&self, params: &[f64], t: f64) -> Result<bool, Diagnostic> {
         let ([[a, b, c], [d, e, f], [g, h, i]], _) = self.at(params, t, 0)?;
         Ok(a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g) < 0.0)
+    }
+
+    /// A B-spline surface at its place at instant `t`, exactly: the image of the control points is the net of the image.
+    ///
+    /// # Errors
+    /// [`Code::DataNotFinite`] if the placement is not finite at `t`; [`Code::PointNotFinite`] if the image is not.
+    pub fn place_bspline(
+        &self,
+        surface: &BsplineSurface,
+        params: &[f64],
+        t: f64,
+    ) -> Result<BsplineSurface, Diagnostic> {
+        let (linear, offset) = self.at(params, t, 0)?;
+        let place = |point: &[f64; 3]| {
+            let mut image = offset;
+            for (x, row) in image.iter_mut().zip(&linear) {
+                *x += row.iter().zip(point).map(|(entry, x)| entry * x).sum::<f64>();
+            }
+            image
+        };
+        let [u, v] = surface.knots().map(Clone::clone);
+        BsplineSurface::new(u, v, surface.net().iter().map(place).collect())
     }
 
     /// A program for the derivative of order `order` in t.

@@ -72,6 +72,27 @@ fn patches_are_fitted_at_an_instant_of_all_or_refused_with_their_times() {
 }
 
 #[test]
+fn copy_of_a_net_is_the_image_of_its_points_and_sews_to_it() {
+    let folder = Folder::new();
+    let spec = folder.path("mirrored.trim");
+    let net = "bspline un { net 5 x 5 from [j (1 + 0.1 i), i (1 + 0.2 j), 0.4 sin(j) cos(i/2)] }\nmirror un in y = 0\n";
+    std::fs::write(&spec, net).expect("written");
+    let [json, step] = ["un.json", "un.step"].map(|name| folder.path(name));
+    for target in [&json, &step] {
+        let [spec, target] = [&spec, target].map(|path| path.to_string_lossy().into_owned());
+        done(&trimline(&["fit", &spec, "-o", &target]));
+    }
+    let read = from_json(&std::fs::read_to_string(json).expect("written"), &Limits::default()).expect("surfaces");
+    let [(_, original), (_, copy)] = read.as_slice() else { panic!("two patches") };
+    assert_eq!(original.knots(), copy.knots());
+    let mirrored: Vec<[f64; 3]> = original.net().iter().map(|[x, y, z]| [*x, -y, *z]).collect();
+    assert_eq!(copy.net(), mirrored);
+    let step = std::fs::read_to_string(step).expect("written");
+    let count = |entity: &str| step.matches(entity).count();
+    assert_eq!([count("OPEN_SHELL("), count("EDGE_CURVE(")], [1, 7], "of eight sides two are one");
+}
+
+#[test]
 fn bad_requests_have_their_status_and_leave_nothing() {
     let cases: &[(&str, &[&str], i32, &str)] = &[
         ("part.obj", &[], 2, "write .step, .stp, .igs, .iges, .json"),

@@ -97,8 +97,8 @@ pub fn run(mut arguments: Arguments, terminal: &Terminal) -> Outcome {
         print_warnings(&shape.warnings, &spec.source, terminal);
     }
     let names: Vec<String> = parts.iter().map(|part| part.name().to_owned()).collect();
-    // A net is a B-spline already, and is written as it is.
-    let fitted = parts.iter().zip(&shapes).filter(|(_, shape)| shape.net.is_none()).map(|(part, shape)| {
+    // A net, and a copy of one, is a B-spline already, and is written as it is.
+    let fitted = parts.iter().zip(&shapes).filter(|(_, shape)| shape.bspline.is_none()).map(|(part, shape)| {
         let domain = part.domain();
         Target { name: part.name(), surface: &*shape.surface, u: domain.u, v: domain.v }
     });
@@ -111,10 +111,10 @@ pub fn run(mut arguments: Arguments, terminal: &Terminal) -> Outcome {
     .into_iter();
     let (mut faces, mut reports) = (Vec::new(), Vec::new());
     for (name, shape) in names.iter().zip(shapes) {
-        let (surface, report) = match shape.net {
-            Some(net) => {
-                let report = written(name, &net.filled.surface, time);
-                (net.filled.surface, report)
+        let (surface, report) = match shape.bspline {
+            Some(bspline) => {
+                let report = written(name, &bspline, time);
+                (bspline, report)
             }
             None => {
                 let fit = fits.next().ok_or_else(|| Failure::Machine("a patch was not fitted".to_owned()))?;

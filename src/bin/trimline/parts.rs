@@ -9,7 +9,7 @@ use trimline::eval::Backend;
 use trimline::method::Options;
 use trimline::net::{NetSolver, SolvedNet};
 use trimline::problem::{DomainValues, Net, PatchCopy};
-use trimline::surface::{CompiledPlacement, PlacedSurface, Surface};
+use trimline::surface::{BsplineSurface, CompiledPlacement, PlacedSurface, Surface};
 
 use crate::failure::Failure;
 use crate::options::{Solving, option_finding};
@@ -102,6 +102,8 @@ pub struct Shape {
     pub warnings: Diagnostics,
     /// The net behind it, if it is one.
     pub net: Option<SolvedNet>,
+    /// The B-spline that it is, if it is one: a net, or a copy of one.
+    pub bspline: Option<BsplineSurface>,
 }
 
 impl Spec {
@@ -168,20 +170,24 @@ impl Spec {
         match part {
             Part::Patch(patched) => {
                 let solution = self.solve(patched, time)?.solution;
-                Ok(Shape { surface: solution.surface, warnings: solution.report.warnings, net: None })
+                Ok(Shape { surface: solution.surface, warnings: solution.report.warnings, net: None, bspline: None })
             }
             Part::Net(solver) => {
                 let net = solver.solve(&self.bindings, time).map_err(|finding| self.fault(finding))?;
                 let warnings = net.filled.warnings.clone();
-                Ok(Shape { surface: net.surface.clone(), warnings, net: Some(net) })
+                let bspline = Some(net.filled.surface.clone());
+                Ok(Shape { surface: net.surface.clone(), warnings, net: Some(net), bspline })
             }
             Part::Copy(copied) => {
-                let base = self.shape(&copied.original, time)?.surface;
-                let placed = PlacedSurface::new(base, Arc::clone(&copied.placement), self.bindings.as_slice());
+                let base = self.shape(&copied.original, time)?;
+                let (placement, params) = (&copied.placement, self.bindings.as_slice());
+                let bspline = base.bspline.map(|bspline| placement.place_bspline(&bspline, params, time)).transpose();
+                let bspline = bspline.map_err(|finding| self.fault(finding))?;
+                let placed = PlacedSurface::new(base.surface, Arc::clone(placement), params);
                 let domain = part.domain();
                 placed.check_distance([domain.u, domain.v], time).map_err(|finding| self.fault(finding))?;
                 // What is to be said is said of the original.
-                Ok(Shape { surface: Arc::new(placed), warnings: Diagnostics::new(), net: None })
+                Ok(Shape { surface: Arc::new(placed), warnings: Diagnostics::new(), net: None, bspline })
             }
         }
     }
