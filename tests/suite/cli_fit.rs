@@ -142,7 +142,7 @@ fn bad_nets_and_imports_are_one_error_and_nothing_is_written() {
         ),
         (table(&(point.repeat(2) + "0,0\n")), "error[E0222]: part.csv: row 3 has no column z"),
         (
-            import("part.step", "", "ISO-10303-21;\nDATA;\n#1=PLANE('',#2);\nENDSEC;\n"),
+            import("part.step", "", "ISO-10303-21;\nDATA;\n#1=PLANE('',#2);\nENDSEC;\nEND-ISO-10303-21;\n"),
             "error[E0609]: part.step: the STEP file has no face",
         ),
         (import("part.json", ", face = 2", flat), "error[E0609]: part.json: there is no face 2"),
@@ -159,5 +159,24 @@ fn bad_nets_and_imports_are_one_error_and_nothing_is_written() {
             assert!(said.starts_with(words) && said.matches("error[").count() == 1, "{words}\n{said}");
         }
         assert_eq!(folder.files(), [name, "spec.trim"], "{text}");
+    }
+}
+
+#[test]
+fn extension_without_a_meaning_is_refused_in_one_wording_by_every_command() {
+    let cases = [
+        ("fit", "a.obj", "has the extension `.obj`; write .step, .stp,"),
+        ("mesh", "a.step", "has the extension `.step`; write .obj,"),
+        ("render", "a.obj", "has the extension `.obj`; write .png, .gif"),
+        ("render", "a", "has no extension; write .png, .gif"),
+    ];
+    for (command, name, words) in cases {
+        let folder = Folder::new();
+        let target = folder.path(name).to_string_lossy().into_owned();
+        let output = trimline(&[command, &example("eq19.trim"), "-o", &target]);
+        let said = text(&output.stderr);
+        assert_eq!(status(&output), 2, "{command} {name}: {said}");
+        assert!(said.contains(words), "{command} {name}: {said}");
+        assert_eq!(folder.files(), Vec::<String>::new());
     }
 }

@@ -15,7 +15,7 @@ use trimline::tessellate::Scene;
 use crate::Outcome;
 use crate::failure::Failure;
 use crate::options::{Terminal, option_finding, read_grid};
-use crate::output::Files;
+use crate::output::{Files, by_extension};
 use crate::scenes::{Progress, Quantity};
 
 /// What a picture shows, and of what size.
@@ -206,10 +206,9 @@ pub fn is_picture(path: &Path) -> bool {
 
 /// The kind of picture that a file's extension names.
 pub fn kind_of(path: &Path) -> Result<Kind, Failure> {
-    let extension = path.extension().map(|extension| extension.to_string_lossy().to_lowercase()).unwrap_or_default();
-    match extension.as_str() {
-        "png" => Ok(Kind::Png),
-        "gif" => Ok(Kind::Gif),
-        _ => Err(Failure::Usage(format!("`{}` is no picture; write .png or .gif", path.display()))),
-    }
+    by_extension(path, &["png", "gif"], |extension| match extension {
+        "png" => Some(Kind::Png),
+        "gif" => Some(Kind::Gif),
+        _ => None,
+    })
 }

@@ -82,7 +82,9 @@ pub fn run(mut arguments: Arguments, terminal: &Terminal) -> Outcome {
         Protocol::Ap214 => Schema::Ap214,
         Protocol::Ap242 => Schema::Ap242,
     };
-    let format = format_of(&arguments.output, schema)?;
+    let format = output::by_extension(&arguments.output, &CadFormat::EXTENSIONS, |extension| {
+        CadFormat::from_extension(extension, schema)
+    })?;
     // The option is this command's own; a method takes its tolerance from the spec.
     let settings = settings(arguments.degree, arguments.solving.tolerance.take().as_deref())?;
     let spec = Spec::read(&arguments.spec, &arguments.solving.reading)?;
@@ -141,16 +143,6 @@ pub fn run(mut arguments: Arguments, terminal: &Terminal) -> Outcome {
             Ok(())
         }
     }
-}
-
-fn format_of(path: &Path, schema: Schema) -> Result<CadFormat, Failure> {
-    let extension = path.extension().map(|extension| extension.to_string_lossy().into_owned()).unwrap_or_default();
-    CadFormat::from_extension(&extension, schema).ok_or_else(|| {
-        let known: Vec<String> = CadFormat::EXTENSIONS.iter().map(|extension| format!(".{extension}")).collect();
-        let what =
-            if extension.is_empty() { "no extension".to_owned() } else { format!("the extension `.{extension}`") };
-        Failure::Usage(format!("`{}` has {what}; write {}", path.display(), known.join(", ")))
-    })
 }
 
 fn settings(degree: usize, tolerance: Option<&str>) -> Result<Settings, Failure> {

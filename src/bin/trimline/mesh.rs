@@ -11,7 +11,7 @@ use trimline::tessellate::Scene;
 use crate::Outcome;
 use crate::failure::{Failure, Said, print_warnings, say};
 use crate::options::Terminal;
-use crate::output::Files;
+use crate::output::{Files, by_extension};
 use crate::scenes::{Meshing, Progress, Quantity, Scenes};
 
 #[derive(Args)]
@@ -167,13 +167,8 @@ fn failed(error: ExportError) -> Failure {
 
 /// The format that a file's extension names.
 pub fn format_of(path: &Path) -> Result<Format, Failure> {
-    let extension = path.extension().map(|extension| extension.to_string_lossy().into_owned()).unwrap_or_default();
-    Format::from_extension(&extension).ok_or_else(|| {
-        let known: Vec<String> = Format::ALL.iter().map(|format| format!(".{}", format.extension())).collect();
-        let what =
-            if extension.is_empty() { "no extension".to_owned() } else { format!("the extension `.{extension}`") };
-        Failure::Usage(format!("`{}` has {what}; write {}", path.display(), known.join(", ")))
-    })
+    let known: Vec<&str> = Format::ALL.iter().map(|format| format.extension()).collect();
+    by_extension(path, &known, Format::from_extension)
 }
 
 /// `blend.obj` as `blend.0007.obj`.

@@ -18,6 +18,19 @@ pub fn print(text: &str) -> Result<(), Failure> {
     }
 }
 
+/// What a path's extension, in lower case, is to `meaning`; `known` are the extensions it has a meaning for.
+pub fn by_extension<T>(path: &Path, known: &[&str], meaning: impl FnOnce(&str) -> Option<T>) -> Result<T, Failure> {
+    let extension = path.extension().map(|extension| extension.to_string_lossy().to_lowercase()).unwrap_or_default();
+    meaning(&extension).ok_or_else(|| {
+        let has = match extension.as_str() {
+            "" => "no extension".to_owned(),
+            _ => format!("the extension `.{extension}`"),
+        };
+        let known: Vec<String> = known.iter().map(|extension| format!(".{extension}")).collect();
+        Failure::Usage(format!("`{}` has {has}; write {}", path.display(), known.join(", ")))
+    })
+}
+
 /// A measured number for people: two digits, and an exponent only where it is shorter than the zeros.
 pub fn rounded(value: f64) -> String {
     let scientific = format!("{value:.1e}");
