@@ -22,11 +22,11 @@ pub enum ExportError {
         /// The vertex, the quad, or how many there are.
         at: usize,
     },
-    /// A face has shrunk to a point.
-    #[error("the face `{face}` has shrunk to a point")]
-    Collapsed {
-        /// The face.
-        face: String,
+    /// A patch has no area, and the format holds areas.
+    #[error("`{name}` has no area: it has shrunk to a curve or a point")]
+    NoArea {
+        /// The patch.
+        name: String,
     },
     /// A coordinate is too large for the numbers of the format.
     #[error("{format} holds coordinates up to {largest:e}, and mesh `{mesh}` has {value:e}")]
@@ -81,15 +81,15 @@ pub enum ExportError {
 }
 
 impl ExportError {
-    /// The error as a finding, of class [`Output`](crate::diagnostic::Class::Output).
+    /// The error as a finding: of class [`Output`](crate::diagnostic::Class::Output), but for a patch without area, which
+    /// is a fault of its data.
     #[must_use]
     pub fn to_diagnostic(&self) -> Diagnostic {
         let diagnostic = Diagnostic::new(Code::OutputFailed, self.to_string());
         match self {
             ExportError::Io(_) | ExportError::Malformed { .. } | ExportError::NotOneInstant { .. } => diagnostic,
-            ExportError::Collapsed { .. } => {
-                diagnostic.hint("leave this patch out with `--patch`, or change its boundary")
-            }
+            ExportError::NoArea { .. } => Diagnostic { code: Code::NoArea, ..diagnostic }
+                .hint("leave this patch out with `--patch`, or change its boundary"),
             ExportError::CoordinateTooLarge { .. } => diagnostic.hint("OBJ and PLY hold every coordinate"),
             ExportError::TopologyChanges { .. } => diagnostic.hint("leave the seams of closed surfaces open"),
             ExportError::UnfitInstants { .. } => diagnostic.hint("ask for fewer frames, or write NPZ or VTP"),

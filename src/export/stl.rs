@@ -37,6 +37,9 @@ fn write(scene: &Scene, mut out: &mut dyn Write) -> Result<Vec<Diagnostic>, Expo
             }
         }
     }
+    if let (true, 0, Some(mesh)) = (facets.is_empty(), lost, scene.meshes.iter().find(|mesh| !mesh.quads.is_empty())) {
+        return Err(ExportError::NoArea { name: mesh.name.clone() });
+    }
     // stl_io would store the count modulo 2^32.
     count_of(ROW.name, "triangles", facets.len())?;
     stl_io::write_stl(&mut out, facets.iter())?;
@@ -129,6 +132,13 @@ mod tests {
     fn pole_triangle_is_left_out_without_a_warning() {
         let (mesh, warnings) = written(flat_quad([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 0.0]])).unwrap();
         assert_eq!((mesh.faces.len(), warnings.len()), (1, 0));
+    }
+
+    #[test]
+    fn scene_without_any_area_is_refused() {
+        let refused = written(flat_quad([[0.0, 0.0], [0.0, 0.0], [1.0, 0.0], [1.0, 0.0]])).unwrap_err();
+        assert_eq!(refused.to_string(), "`quad` has no area: it has shrunk to a curve or a point");
+        assert_eq!(refused.to_diagnostic().code, Code::NoArea);
     }
 
     #[test]

@@ -3,6 +3,7 @@
 
 use std::collections::BTreeMap;
 
+use trimline::diagnostic::Class;
 use trimline::export::{CadFormat, ExportError, Face, Schema, write_cad};
 use trimline::surface::{BsplineSurface, KnotVector};
 
@@ -183,13 +184,28 @@ fn edge_that_is_a_point_is_left_out() {
 }
 
 #[test]
-fn face_that_is_a_point_is_refused_before_the_first_byte() {
-    let point = net(4, 4, |_, _| [1.0, 2.0, 3.0]);
-    let mut bytes = Vec::new();
-    let faces = [face("a", &net(4, 4, |i, j| [i as f64, j as f64, 0.0])), face("speck", &point)];
-    let error = write_cad("part", &faces, CadFormat::Step(Schema::Ap214), &mut bytes).unwrap_err();
-    assert!(matches!(&error, ExportError::Collapsed { face } if face == "speck"), "{error}");
-    assert!(bytes.is_empty());
+fn face_without_area_is_refused_before_the_first_byte() {
+    let thin: [(&str, BsplineSurface); 4] = [
+        ("a point", net(4, 4, |_, _| [1.0, 2.0, 3.0])),
+        ("a point but for rounding", net(4, 4, |i, j| [5.0, 5.0 + (i + 2 * j) as f64 * 4e-16, 0.0])),
+        ("a line", net(4, 4, |i, j| [i as f64, (i + j) as f64 * 1e-16, 0.0])),
+        ("a curve", net(4, 9, |_, j| [on_circle(j, 8)[0], on_circle(j, 8)[1], 1.0])),
+    ];
+    let sound = net(4, 4, |i, j| [i as f64, j as f64, 0.0]);
+    for (name, thin) in thin {
+        for format in [CadFormat::Step(Schema::Ap214), CadFormat::Iges, CadFormat::Json] {
+            for faces in [vec![face(name, &thin)], vec![face("sound", &sound), face(name, &thin)]] {
+                let mut bytes = Vec::new();
+                let error = write_cad("part", &faces, format, &mut bytes).expect_err(name);
+                assert!(matches!(&error, ExportError::NoArea { name: refused } if refused == name), "{error}");
+                assert_eq!(error.to_diagnostic().class(), Class::Source);
+                assert!(bytes.is_empty());
+            }
+        }
+    }
+    // A strip a ten-millionth as wide as it is long is one.
+    let strip = net(4, 4, |i, j| [i as f64, j as f64 * 1e-7, 0.0]);
+    assert!(write_cad("part", &[face("strip", &strip)], CadFormat::Iges, &mut Vec::new()).is_ok());
 }
 
 /// The square [i, i + 3] x [j, j + 3] with waves.
@@ -303,11 +319,11 @@ fn iges_parameters(text: &str) -> Vec<Vec<String>> {
 #[test]
 fn iges_holds_the_exact_numbers_in_the_order_of_entity_128() {
     let one = surface(5, [3, 2], [6, 5]).clamped();
-    let tiny = net(4, 4, |i, j| [i as f64 * 1e-300, j as f64 * 1e300, -0.1]);
-    let text = bytes("α part, with; marks", &[face("one", &one), face("tiny", &tiny)], CadFormat::Iges);
+    let far = net(4, 4, |i, j| [i as f64 * -1e300, j as f64 * 1e299, (i + j) as f64 * 1e-300]);
+    let text = bytes("α part, with; marks", &[face("one", &one), face("far", &far)], CadFormat::Iges);
     let parameters = iges_parameters(&text);
     assert_eq!(parameters.len(), 2);
-    for (fields, surface) in parameters.iter().zip([&one, &tiny]) {
+    for (fields, surface) in parameters.iter().zip([&one, &far]) {
         let [u, v] = surface.knots();
         let heads = [128, u.points() - 1, v.points() - 1, u.degree(), v.degree(), 0, 0, 1, 0, 0];
         assert_eq!(fields[..10], heads.map(|number| number.to_string()));

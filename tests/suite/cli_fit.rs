@@ -93,6 +93,29 @@ fn copy_of_a_net_is_the_image_of_its_points_and_sews_to_it() {
 }
 
 #[test]
+fn surfaces_without_area_are_refused_as_faults_of_the_spec() {
+    let specs = [
+        "at u = 0: S = [5, 0, 0], dS/du = [0, 0, 0]\nat u = 1: S = [5, 0, 0], dS/du = [0, 0, 0]",
+        "domain v in [0, 1]\nat u = 0: S = [v, 0, 0], dS/du = [0, 0, 0]\nat u = 1: S = [v, 0, 0], dS/du = [0, 0, 0]",
+        "bspline s { net 5 x 3 from [0, 0, 0] }",
+    ];
+    for spec in specs {
+        let folder = Folder::new();
+        let path = folder.path("thin.trim");
+        std::fs::write(&path, spec).expect("written");
+        let path = path.to_string_lossy().into_owned();
+        for (command, file) in [("fit", "thin.step"), ("fit", "thin.json"), ("mesh", "thin.stl")] {
+            let target = folder.path(file).to_string_lossy().into_owned();
+            let output = trimline(&[command, &path, "-o", &target]);
+            let said = text(&output.stderr);
+            assert_eq!(status(&output), 1, "{command} {spec}: {said}");
+            assert!(said.contains("error[E0611]") && said.contains("has no area"), "{command} {spec}: {said}");
+            assert_eq!(folder.files(), ["thin.trim"], "{command} {spec}");
+        }
+    }
+}
+
+#[test]
 fn bad_requests_have_their_status_and_leave_nothing() {
     let cases: &[(&str, &[&str], i32, &str)] = &[
         ("part.obj", &[], 2, "write .step, .stp, .igs, .iges, .json"),

@@ -45,6 +45,7 @@ const ELSEWHERE: &[(Code, &str)] = &[
     (Code::ApexNotSmooth, "tests of patches with an apex"),
     (Code::HostUnsupported, "a machine without machine code"),
     (Code::OutputFailed, "a full disk"),
+    (Code::NoArea, "tests of CAD files"),
     (Code::DegenerateNormals, "a mesh"),
     (Code::PrecisionLost, "an export"),
 ];

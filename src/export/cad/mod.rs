@@ -7,6 +7,7 @@
 //!
 //! Absent on purpose: trimming, and curves on surfaces in parameters (pcurves), which readers compute.
 
+mod area;
 mod iges;
 mod part21;
 mod step;
@@ -77,12 +78,15 @@ impl CadFormat {
 /// are connected make a shell, whose faces are turned alike.
 ///
 /// # Errors
-/// [`ExportError::Io`] when `out` fails; [`ExportError::Collapsed`], before the first byte, for a face without extent.
+/// [`ExportError::Io`] when `out` fails; [`ExportError::NoArea`], before the first byte, for a face that is a curve or a
+/// point.
 pub fn write_cad(name: &str, faces: &[Face], format: CadFormat, out: &mut dyn Write) -> Result<(), ExportError> {
     let clamped = |face: &Face| Face { name: face.name.clone(), surface: face.surface.clamped() };
+    let clamped: Vec<Face> = faces.iter().map(clamped).collect();
+    area::check(&clamped)?;
     let text = match format {
-        CadFormat::Step(schema) => step::text(name, &faces.iter().map(clamped).collect::<Vec<_>>(), schema)?,
-        CadFormat::Iges => iges::text(name, &faces.iter().map(clamped).collect::<Vec<_>>()),
+        CadFormat::Step(schema) => step::text(name, &clamped, schema),
+        CadFormat::Iges => iges::text(name, &clamped),
         CadFormat::Json => {
             let named: Vec<_> = faces.iter().map(|face| (face.name.as_str(), &face.surface)).collect();
             let text = to_json(&named).map_err(|finding| std::io::Error::other(finding.message))?;

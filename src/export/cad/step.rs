@@ -5,11 +5,10 @@ use crate::surface::KnotVector;
 use super::part21::{Entities, Id, list, real, references, string};
 use super::topology::{Edge, OrientedFace, Shell, topology};
 use super::{Face, Schema};
-use crate::export::ExportError;
 
 /// The file of clamped faces.
-pub(super) fn text(name: &str, faces: &[Face], schema: Schema) -> Result<String, ExportError> {
-    let model = topology(faces)?;
+pub(super) fn text(name: &str, faces: &[Face], schema: Schema) -> String {
+    let model = topology(faces);
     let mut entities = Entities::default();
     let (product, context) = product(&mut entities, name, schema);
     let vertices: Vec<Id> = model.vertices.iter().map(|place| vertex(&mut entities, place)).collect();
@@ -25,13 +24,13 @@ pub(super) fn text(name: &str, faces: &[Face], schema: Schema) -> Result<String,
         Schema::Ap242 => "AP242_MANAGED_MODEL_BASED_3D_ENGINEERING_MIM_LF { 1 0 10303 442 1 1 4 }",
     };
     let program = format!("trimline {}", env!("CARGO_PKG_VERSION"));
-    Ok(format!(
+    format!(
         "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION(('B-spline surfaces'),'2;1');\n\
          FILE_NAME({},'',(''),(''),'{program}','{program}','');\nFILE_SCHEMA(('{schema}'));\nENDSEC;\nDATA;\n{}ENDSEC;\n\
          END-ISO-10303-21;\n",
         string(name),
         entities.into_text()
-    ))
+    )
 }
 
 /// What a part is called and measured in: the shape of its definition, and the context of its geometry.

@@ -3,7 +3,6 @@
 use crate::surface::{BsplineCurve, KnotVector};
 
 use super::Face;
-use crate::export::ExportError;
 
 /// What is topologically one: vertices, edges and shells of some faces.
 pub(super) struct Topology {
@@ -37,6 +36,9 @@ pub(super) struct OrientedFace {
 /// common to rounding; what is further apart is meant to be.
 const SAME: f64 = 1e-9;
 
+/// Of the largest coordinate: sums of a few terms are off by as much.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
 /// A side of a face in its boundary.
 #[derive(Clone, Copy)]
 struct Side {
@@ -46,10 +48,9 @@ struct Side {
 
 /// The topology of clamped `faces`.
 ///
-/// # Errors
-/// [`ExportError::Collapsed`] for a face whose four edges are points.
-pub(super) fn topology(faces: &[Face]) -> Result<Topology, ExportError> {
-    let tolerance = SAME * extent(faces);
+/// All of them have an area, so that each has an edge.
+pub(super) fn topology(faces: &[Face]) -> Topology {
+    let tolerance = tolerance(faces);
     let mut sewing = Sewing { tolerance, vertices: Vec::new(), edges: Vec::new(), users: Vec::new() };
     let mut boundaries: Vec<Vec<Side>> = Vec::with_capacity(faces.len());
     for (index, face) in faces.iter().enumerate() {
@@ -58,9 +59,6 @@ pub(super) fn topology(faces: &[Face]) -> Result<Topology, ExportError> {
             if !is_point(&curve, tolerance) {
                 boundary.push(sewing.side(index, curve, is_forward));
             }
-        }
-        if boundary.is_empty() {
-            return Err(ExportError::Collapsed { face: face.name.clone() });
         }
         boundaries.push(boundary);
     }
@@ -78,10 +76,17 @@ pub(super) fn topology(faces: &[Face]) -> Result<Topology, ExportError> {
         Shell { is_closed: faces.iter().all(is_full), faces }
     };
     let shells = components.iter().map(shell).collect();
-    Ok(Topology { vertices: sewing.vertices, edges: sewing.edges, shells })
+    Topology { vertices: sewing.vertices, edges: sewing.edges, shells }
 }
 
-fn extent(faces: &[Face]) -> f64 {
+/// Places that are this close are one: a share of the model's extent, and what coordinates are rounded to.
+pub(super) fn tolerance(faces: &[Face]) -> f64 {
+    let size = faces.iter().map(|face| face.surface.size()).fold(0.0, f64::max);
+    (SAME * extent(faces)).max(ROUNDING * size)
+}
+
+/// The longest side of the box around the control points.
+pub(super) fn extent(faces: &[Face]) -> f64 {
     let points = || faces.iter().flat_map(|face| face.surface.net());
     (0..3)
         .map(|axis| {
