@@ -162,7 +162,7 @@ fn gaps(
     Ok(expected.iter().zip(found.iter()).map(|(p, q)| distance(p, q)).collect())
 }
 
-fn distance([px, py, pz]: &[f64; 3], [qx, qy, qz]: &[f64; 3]) -> f64 {
+pub(super) fn distance([px, py, pz]: &[f64; 3], [qx, qy, qz]: &[f64; 3]) -> f64 {
     let [x, y, z] = [px - qx, py - qy, pz - qz];
     (x * x + y * y + z * z).sqrt()
 }

@@ -5,11 +5,12 @@
 //! the first derivative across (docs/bspline.md, F1). Knots are added where the distance is largest, apart for u and v.
 //!
 //! Invariant: an edge depends on nothing but the surface's values and derivatives along it and the knots. Surfaces fitted
-//! together share their knots where they share a domain, so patches with a common edge have its control points in common.
+//! together have the knots along a common edge in common, whichever parameters run along it, and its control points.
 //!
 //! Absent on purpose: least squares, which would leave every edge off by something.
 
 mod breakpoints;
+mod edges;
 mod line;
 mod measure;
 
@@ -18,7 +19,9 @@ use crate::expr::Derivative;
 use crate::limits::Limits;
 use crate::surface::{BsplineSurface, Surface};
 
-use breakpoints::Breakpoints;
+use breakpoints::{Breakpoints, Member};
+use edges::Edges;
+pub use edges::SAME_PLACE;
 use line::{Line, end_orders};
 use measure::{Axis, Measured, Seam, seam};
 
@@ -81,7 +84,8 @@ const MOST_ROUNDS: usize = 16;
 /// So many rounds may pass without progress: a surface that waves faster than the first knots shows none at first.
 const MOST_IDLE_ROUNDS: usize = 5;
 
-/// Fits `targets` at instant `t`, together: those with an equal range of u, or of v, have its knots in common.
+/// Fits `targets` at instant `t`, together: sides that are one curve, at equal or opposite shares of their ranges, get
+/// equal control points and the same knots, but for the ranges.
 ///
 /// # Errors
 /// [`Code::SettingOutOfRange`] for a degree outside 3 to 5 or a tolerance that is not positive or below rounding;
@@ -94,20 +98,19 @@ pub fn fit(targets: &[Target], t: f64, settings: &Settings, limits: &Limits) -> 
             .hint("use degree 3, 4 or 5: lower ones cannot take tangents at the ends"));
     }
     let mut work = targets.iter().map(|target| Work::new(target, t, settings)).collect::<Result<Vec<_>, _>>()?;
-    let mut spans_in = [Breakpoints::default(), Breakpoints::default()];
-    for one in &work {
-        let ([in_u, in_v], [breaks_u, breaks_v]) = (&mut spans_in, &one.breaks);
-        in_u.add(one.target.u, breaks_u, false);
-        in_v.add(one.target.v, breaks_v, one.seam == Seam::Smooth);
-    }
-    spans_in.iter_mut().zip(FIRST_SPANS).for_each(|(lines, spans)| lines.start(spans));
+    let edges = Edges::new(targets, t)?;
+    let members: Vec<Member> = work.iter().flat_map(Work::members).collect();
+    let mut breakpoints = Breakpoints::new(&members, &edges.links());
     let mut best = f64::INFINITY;
     let mut idle = 0;
     for _ in 0..MOST_ROUNDS {
+        for (index, one) in work.iter_mut().enumerate() {
+            one.divide(index, &breakpoints, settings.degree, limits)?;
+        }
+        let fits = work.iter().map(|one| one.interpolate(t, settings.degree)).collect::<Result<_, _>>()?;
         let mut worst = 0.0_f64;
-        let [in_u, in_v] = &spans_in;
-        for one in &mut work {
-            one.interpolate([in_u.of(one.target.u), in_v.of(one.target.v)], t, settings.degree, limits)?;
+        for (one, fitted) in work.iter_mut().zip(edges.unite(fits)) {
+            one.measure(fitted, t)?;
             // Relative, since each target has its own tolerance.
             worst = worst.max(one.excess());
         }
@@ -119,13 +122,12 @@ pub fn fit(targets: &[Target], t: f64, settings: &Settings, limits: &Limits) -> 
         if idle == MOST_IDLE_ROUNDS {
             break;
         }
-        let [in_u, in_v] = &mut spans_in;
-        for one in &work {
+        for (index, one) in work.iter().enumerate() {
             let [pieces_u, pieces_v] = one.measured.pieces(one.tolerance, settings.degree);
-            in_u.ask(one.target.u, &pieces_u);
-            in_v.ask(one.target.v, &pieces_v);
+            breakpoints.ask(2 * index, pieces_u);
+            breakpoints.ask(2 * index + 1, pieces_v);
         }
-        spans_in.iter_mut().for_each(Breakpoints::divide);
+        breakpoints.divide();
     }
     let worst = work.iter().max_by(|a, b| a.excess().total_cmp(&b.excess()));
     Err(worst.map_or_else(
@@ -144,6 +146,8 @@ struct Work<'a> {
     seam: Seam,
     /// Where pieces of the target meet, in u and in v.
     breaks: [Vec<f64>; 2],
+    /// The spline spaces of u and v, and where the fit is measured.
+    space: Option<[(Line, Axis); 2]>,
     fitted: Option<BsplineSurface>,
     measured: Measured,
 }
@@ -167,55 +171,84 @@ impl<'a> Work<'a> {
             return Err(Diagnostic::new(Code::SettingOutOfRange, message).hint(format!("ask for {least:.0e} or more")));
         }
         let breaks = target.surface.breaks([target.u, target.v], t)?;
-        Ok(Work { target, tolerance, seam, breaks, fitted: None, measured: Measured::default() })
+        Ok(Work { target, tolerance, seam, breaks, space: None, fitted: None, measured: Measured::default() })
     }
 
-    /// Interpolates over `breakpoints` of u and v, and measures.
-    fn interpolate(
+    /// Its parameters u and v, as breakpoints know them.
+    fn members(&self) -> [Member<'_>; 2] {
+        let [breaks_u, breaks_v] = &self.breaks;
+        let [spans_u, spans_v] = FIRST_SPANS;
+        let is_periodic = self.seam == Seam::Smooth;
+        [
+            Member { range: self.target.u, breaks: breaks_u, spans: spans_u, is_periodic: false },
+            Member { range: self.target.v, breaks: breaks_v, spans: spans_v, is_periodic },
+        ]
+    }
+
+    /// Takes the spline spaces over `breakpoints`, in which this target is number `index`.
+    fn divide(
         &mut self,
-        breakpoints: [&[f64]; 2],
-        t: f64,
+        index: usize,
+        breakpoints: &Breakpoints,
         degree: usize,
         limits: &Limits,
     ) -> Result<(), Diagnostic> {
-        let unsolvable = || {
-            let message = format!("the B-spline of `{}` is not finite", self.target.name);
-            Diagnostic::new(Code::SolutionNotFinite, message).hint("use coordinates of moderate size")
-        };
-        let [in_u, in_v] = breakpoints;
+        let [in_u, in_v] = [2 * index, 2 * index + 1].map(|member| breakpoints.of(member));
         let points = (in_u.len() + degree - 1).saturating_mul(in_v.len() + degree - 1);
         if points > limits.control_points {
             return Err(self.limit("control-points", limits.control_points, points));
         }
-        let across = Line::new(degree, in_u, false).ok_or_else(unsolvable)?;
-        let along = Line::new(degree, in_v, self.seam == Seam::Smooth).ok_or_else(unsolvable)?;
+        let across = Line::new(degree, &in_u, false).ok_or_else(|| self.unsolvable())?;
+        let is_periodic = breakpoints.is_periodic(2 * index + 1);
+        let along = Line::new(degree, &in_v, is_periodic).ok_or_else(|| self.unsolvable())?;
+        if let (Seam::Smooth, false) = (self.seam, is_periodic) {
+            // It shares an edge with what is not smooth there; the data at its end are still those at its start.
+            self.seam = Seam::Kinked(degree);
+        }
         let [breaks_u, breaks_v] = &self.breaks;
-        let [axis_u, axis_v] =
-            [Axis::new(in_u, of_order(&across, 0).1, breaks_u), Axis::new(in_v, of_order(&along, 0).1, breaks_v)];
-        let samples = Measured::samples([&axis_u, &axis_v]);
+        let [in_u, in_v] =
+            [Axis::new(&in_u, of_order(&across, 0).1, breaks_u), Axis::new(&in_v, of_order(&along, 0).1, breaks_v)];
+        let samples = Measured::samples([&in_u, &in_v]);
         if samples > limits.samples {
             return Err(self.limit("samples", limits.samples, samples));
         }
-        let data = self.data([&across, &along], t, degree)?;
+        self.space = Some([(across, in_u), (along, in_v)]);
+        Ok(())
+    }
+
+    /// Interpolates in the spline spaces.
+    fn interpolate(&self, t: f64, degree: usize) -> Result<BsplineSurface, Diagnostic> {
+        let Some([(across, _), (along, _)]) = &self.space else { return Err(self.unsolvable()) };
+        let data = self.data([across, along], t, degree)?;
         let columns = along.functionals().len();
         let rows = data.chunks(columns).map(|row| along.control_points(row)).collect::<Option<Vec<_>>>();
-        let rows = rows.ok_or_else(unsolvable)?;
+        let rows = rows.ok_or_else(|| self.unsolvable())?;
         let count = along.knots().points();
         let column = |j: usize| -> Option<Vec<[f64; 3]>> {
             let data = rows.iter().map(|row| row.get(j).copied()).collect::<Option<Vec<_>>>()?;
             across.control_points(&data)
         };
-        let net = (0..count).map(column).collect::<Option<Vec<_>>>().ok_or_else(unsolvable)?;
+        let net = (0..count).map(column).collect::<Option<Vec<_>>>().ok_or_else(|| self.unsolvable())?;
         // Columns side by side are the rows of the surface with u and v exchanged.
         let [u, v] = [across.knots().clone(), along.knots().clone()];
         let fitted = BsplineSurface::new(v, u, net.into_iter().flatten().collect())
-            .map_err(|_| unsolvable())?
+            .map_err(|_| self.unsolvable())?
             .transposed()
             .clamped();
-        let fitted = if self.seam == Seam::Open { fitted } else { fitted.closed_in_v() };
-        self.measured = Measured::new(self.target, &fitted, [&axis_u, &axis_v], t)?;
+        Ok(if self.seam == Seam::Open { fitted } else { fitted.closed_in_v() })
+    }
+
+    /// Takes a fit in the spline spaces and measures it.
+    fn measure(&mut self, fitted: BsplineSurface, t: f64) -> Result<(), Diagnostic> {
+        let Some([(_, in_u), (_, in_v)]) = &self.space else { return Err(self.unsolvable()) };
+        self.measured = Measured::new(self.target, &fitted, [in_u, in_v], t)?;
         self.fitted = Some(fitted);
         Ok(())
+    }
+
+    fn unsolvable(&self) -> Diagnostic {
+        let message = format!("the B-spline of `{}` is not finite", self.target.name);
+        Diagnostic::new(Code::SolutionNotFinite, message).hint("use coordinates of moderate size")
     }
 
     /// What the functionals of both lines are on the target, those of equal u together.

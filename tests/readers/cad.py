@@ -31,6 +31,27 @@ CAP = """at u = 0: S = [cos v, sin v, 0], dS/du = [0, 0, 1]
 at u = 1: S = [0, 0, 1], dS/du = [-cos v, -sin v, 0]
 """
 
+# Loops of edges, whose patches meet with u of one along v of the next, and a net with a copy.
+LOOPS = {
+    "three": """nsided cap {
+    edge [u, 0, 0.3u(1-u)]
+    edge [1 - u/2, u, 0]
+    edge [(1-u)/2, 1-u, 0.2 u (1 - u)]
+}
+""",
+    "four": """nsided cap {
+    edge [u, 0, -u^2 (1 - u)^2]
+    edge [1, u, 0]
+    edge [1 - u, 1, 0.2 u (1 - u)]
+    edge [0, 1 - u, 0]
+    centre = [0.5, 0.5, 0.3]
+}
+""",
+    "mirrored": """bspline un { net 5 x 5 from [j (1 + 0.1 i), i (1 + 0.2 j), 0.4 sin(j) cos(i/2)] }
+mirror un in y = 0
+""",
+}
+
 
 def run(*arguments, stdin=None):
     done = subprocess.run([TRIMLINE, *map(str, arguments)], input=stdin, capture_output=True, text=True)
@@ -109,11 +130,16 @@ def check(folder, name, spec, time, degree, tolerance, counts):
 
 
 def seams(folder):
-    """Four patches inside four curves, and a ring of two: OpenCASCADE finds edges shared, which is one shell."""
+    """Patches inside curves, a ring of two, a net and its image: OpenCASCADE finds edges shared, which is one shell."""
     command = ["cargo", "run", "--quiet", "--example", "bspline_nets", "--", str(folder)]
     subprocess.run(command, cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
-    # Of four patches in a square 4 of 12 edges are seams; of two in a ring 2 of 6.
-    for name, faces, shared, free in [("square", 4, 4, 8), ("vase", 2, 2, 4)]:
+    for name, text in LOOPS.items():
+        (folder / f"{name}.trim").write_text(text)
+        run("fit", folder / f"{name}.trim", "-o", folder / f"{name}.step")
+    # Of four patches in a square 4 of 12 edges are seams; of two in a ring 2 of 6; of n in a loop n of 3n; of a net and
+    # its mirror image 1 of 7.
+    expected = [("square", 4, 4, 8), ("vase", 2, 2, 4), ("three", 3, 3, 6), ("four", 4, 4, 8), ("mirrored", 2, 1, 6)]
+    for name, faces, shared, free in expected:
         gmsh.clear()
         gmsh.model.occ.importShapes(str(folder / f"{name}.step"), highestDimOnly=False)
         gmsh.model.occ.synchronize()

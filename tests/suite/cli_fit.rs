@@ -3,6 +3,7 @@
 use serde_json::Value;
 
 use trimline::limits::Limits;
+use trimline::surface::BsplineSurface;
 use trimline::surface::bspline::from_json;
 
 use crate::cli::{self, Folder, done, example, status, trimline};
@@ -90,6 +91,47 @@ fn copy_of_a_net_is_the_image_of_its_points_and_sews_to_it() {
     let step = std::fs::read_to_string(step).expect("written");
     let count = |entity: &str| step.matches(entity).count();
     assert_eq!([count("OPEN_SHELL("), count("EDGE_CURVE(")], [1, 7], "of eight sides two are one");
+}
+
+/// Loops of three, four and five edges, whose patches meet in spokes: u = 1 of one is v = 1 of the next.
+const LOOPS: [(usize, &str); 3] = [
+    (3, "edge [u, 0, 0.3u(1-u)]\nedge [1 - u/2, u, 0]\nedge [(1-u)/2, 1-u, 0.2 u (1 - u)]"),
+    (4, "edge [u, 0, -u^2 (1 - u)^2]\nedge [1, u, 0]\nedge [1 - u, 1, 0.2 u (1 - u)]\nedge [0, 1 - u, 0]"),
+    (
+        5,
+        "edge [u, 0, 0]\nedge [1 + u/2, u, 0]\nedge [1.5 - u, 1 + u/2, sin(u) (1 - u)]\nedge [0.5 - u, 1.5 - u/2, 0]\n\
+         edge [-0.5 + u/2, 1 - u, 0]",
+    ),
+];
+
+#[test]
+fn patches_of_a_loop_sew_into_one_shell_and_have_their_spokes_bit_for_bit() {
+    for (count, edges) in LOOPS {
+        let folder = Folder::new();
+        let spec = folder.path("loop.trim");
+        std::fs::write(&spec, format!("nsided cap {{\n{edges}\n}}\n")).expect("written");
+        let [json, step] = ["loop.json", "loop.step"].map(|name| folder.path(name));
+        for target in [&json, &step] {
+            let [spec, target] = [&spec, target].map(|path| path.to_string_lossy().into_owned());
+            done(&trimline(&["fit", &spec, "-o", &target]));
+        }
+        let step = std::fs::read_to_string(step).expect("written");
+        let found = ["OPEN_SHELL(", "ADVANCED_FACE(", "EDGE_CURVE("].map(|entity| step.matches(entity).count());
+        // A spoke for each edge, and two halves of each edge.
+        assert_eq!(found, [1, count, 3 * count]);
+        let read = from_json(&std::fs::read_to_string(json).expect("written"), &Limits::default()).expect("surfaces");
+        let sides = |surface: &BsplineSurface| {
+            let turned = surface.transposed();
+            let ends = |surface: &BsplineSurface| {
+                [surface.rows().next(), surface.rows().next_back()].map(|row| row.expect("a row").to_vec())
+            };
+            [ends(surface), ends(&turned)].concat()
+        };
+        let sides: Vec<_> = read.iter().flat_map(|(_, surface)| sides(surface)).collect();
+        let is_one = |one: &Vec<[f64; 3]>, other: &Vec<[f64; 3]>| one == other || one.iter().rev().eq(other);
+        let pairs = sides.iter().enumerate().flat_map(|(i, one)| sides[i + 1..].iter().map(move |other| (one, other)));
+        assert_eq!(pairs.filter(|(one, other)| is_one(one, other)).count(), count, "spokes");
+    }
 }
 
 #[test]

@@ -190,6 +190,78 @@ fn patches_fitted_together_have_their_common_edge_bit_for_bit() {
     assert_eq!(columns(&along[0]).rows().next_back(), columns(&along[1]).rows().next());
 }
 
+/// Another surface over other parameters: turned by a quarter or a half, stretched and shifted.
+struct Turned<'a> {
+    base: &'a dyn Surface,
+    /// Of u and of v of the base: which parameter here it comes from, the factor and the summand.
+    maps: [(usize, f64, f64); 2],
+}
+
+impl Surface for Turned<'_> {
+    fn evaluate(&self, derivative: Derivative, points: &[[f64; 3]], values: &mut [[f64; 3]]) -> Result<(), Diagnostic> {
+        let orders = [derivative.u, derivative.v];
+        let place = |[u, v, t]: &[f64; 3]| {
+            let [a, b] = self.maps.map(|(which, factor, summand)| factor * [u, v][which] + summand);
+            [a, b, *t]
+        };
+        let of_base = self.maps.map(|(which, _, _)| orders[which]);
+        let factor: f64 = self.maps.iter().map(|(which, factor, _)| factor.powi(orders[*which] as i32)).product();
+        let places: Vec<[f64; 3]> = points.iter().map(place).collect();
+        self.base.evaluate(Derivative::new(of_base[0], of_base[1], 0), &places, values)?;
+        values.iter_mut().flatten().for_each(|x| *x *= factor);
+        Ok(())
+    }
+}
+
+/// The control points of a side: along u or v, at the low or the high end.
+fn side(fit: &Fitted, axis: usize, is_high: bool) -> Vec<[f64; 3]> {
+    let surface = if axis == 0 { fit.surface.transposed() } else { fit.surface.clone() };
+    let mut rows = surface.rows();
+    if is_high { rows.next_back() } else { rows.next() }.expect("a row").to_vec()
+}
+
+#[test]
+fn common_edge_is_one_across_u_and_v_in_both_directions_and_over_other_ranges() {
+    for degree in 3..=5 {
+        // The part of the trumpet with u in [0, 1], and that with u in [1, 2] told in other parameters (p, q), so that
+        // the edge u = 1 is a side along p or along q.
+        for (maps, ranges, axis, is_high, is_reversed) in [
+            // u = 1 + q, v = 2p.
+            ([(1, 1.0, 1.0), (0, 2.0, 0.0)], [[0.0, 1.0], [0.0, 1.0]], 0, false, false),
+            // u = 1 + q, v = 2 - 2p.
+            ([(1, 1.0, 1.0), (0, -2.0, 2.0)], [[0.0, 1.0], [0.0, 1.0]], 0, false, true),
+            // u = 2 - q, v = p/3 - 1.
+            ([(1, -1.0, 2.0), (0, 1.0 / 3.0, -1.0)], [[3.0, 9.0], [0.0, 1.0]], 0, true, false),
+            // u = 2 - p, v = 2 - q.
+            ([(0, -1.0, 2.0), (1, -1.0, 2.0)], [[0.0, 1.0], [0.0, 2.0]], 1, true, true),
+        ] {
+            let turned = Turned { base: &TRUMPET, maps };
+            let near = target(&TRUMPET, [0.0, 1.0], [0.0, 2.0]);
+            let far = target(&turned, ranges[0], ranges[1]);
+            let settings = Settings { degree, tolerance: Some(1e-6) };
+            let fits = fit(&[near, far], 0.0, &settings, &Limits::default()).expect("two fits");
+            let edge = side(&fits[0], 1, true);
+            let mut other = side(&fits[1], axis, is_high);
+            if is_reversed {
+                other.reverse();
+            }
+            assert_eq!(edge, other, "{maps:?}");
+            let knots = fits[0].surface.knots()[1].breakpoints().into_iter().map(|v| v / 2.0);
+            let [low, high] = ranges[axis];
+            let share = |at: f64| if is_reversed { (high - at) / (high - low) } else { (at - low) / (high - low) };
+            let mut others: Vec<f64> = fits[1].surface.knots()[axis].breakpoints().into_iter().map(share).collect();
+            if is_reversed {
+                others.reverse();
+            }
+            assert_eq!(knots.len(), others.len());
+            assert!(knots.zip(&others).all(|(a, b)| (a - b).abs() < 1e-14), "{maps:?}");
+            for (fit, surface) in fits.iter().zip([&TRUMPET as &dyn Surface, &turned]) {
+                assert!(apart(surface, &fit.surface, 0.0) <= 1.1e-6 && fit.deviation <= 1e-6, "{maps:?}");
+            }
+        }
+    }
+}
+
 #[test]
 fn knots_crowd_where_the_surface_bends() {
     /// A hill of width 1/20 at x = 0.2.

@@ -1,5 +1,6 @@
 //! Faces, their edges and vertices, and the shells they make.
 
+use crate::fit::SAME_PLACE;
 use crate::surface::{BsplineCurve, KnotVector};
 
 use super::Face;
@@ -31,10 +32,6 @@ pub(super) struct OrientedFace {
     pub is_reversed: bool,
     pub boundary: Vec<(usize, bool)>,
 }
-
-/// Of the extent of all faces: curves and points that are this close are one. Patches with a common edge have it in
-/// common to rounding; what is further apart is meant to be.
-const SAME: f64 = 1e-9;
 
 /// Of the largest coordinate: sums of a few terms are off by as much.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
@@ -82,7 +79,7 @@ pub(super) fn topology(faces: &[Face]) -> Topology {
 /// Places that are this close are one: a share of the model's extent, and what coordinates are rounded to.
 pub(super) fn tolerance(faces: &[Face]) -> f64 {
     let size = faces.iter().map(|face| face.surface.size()).fold(0.0, f64::max);
-    (SAME * extent(faces)).max(ROUNDING * size)
+    (SAME_PLACE * extent(faces)).max(ROUNDING * size)
 }
 
 /// The longest side of the box around the control points.
@@ -127,7 +124,7 @@ fn are_same(one: &BsplineCurve, other: &BsplineCurve, tolerance: f64) -> bool {
     one.points().len() == other.points().len()
         && one.knots().degree() == other.knots().degree()
         && one.points().iter().zip(other.points()).all(|(p, q)| are_close(p, q, tolerance))
-        && knots(one).iter().zip(knots(other)).all(|(a, b)| (a - b).abs() <= SAME)
+        && knots(one).iter().zip(knots(other)).all(|(a, b)| (a - b).abs() <= SAME_PLACE)
 }
 
 /// Edges and vertices as they are found.
