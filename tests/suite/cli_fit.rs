@@ -66,7 +66,7 @@ fn patches_are_fitted_at_an_instant_of_all_or_refused_with_their_times() {
         std::fs::write(&spec, patches_at(*times)).expect("written");
         let [spec, target] = [spec, folder.path("two.json")].map(|path| path.to_string_lossy().into_owned());
         let output = trimline(&[&["fit", &spec, "-o", &target], *options].concat());
-        let said = text(&output.stderr);
+        let said = cli::text(&output.stderr);
         assert_eq!(status(&output), *expected, "{times:?} {options:?}: {said}");
         assert!(said.contains(words), "{times:?} {options:?}: {said}");
     }
@@ -149,7 +149,7 @@ fn surfaces_without_area_are_refused_as_faults_of_the_spec() {
         for (command, file) in [("fit", "thin.step"), ("fit", "thin.json"), ("mesh", "thin.stl")] {
             let target = folder.path(file).to_string_lossy().into_owned();
             let output = trimline(&[command, &path, "-o", &target]);
-            let said = text(&output.stderr);
+            let said = cli::text(&output.stderr);
             assert_eq!(status(&output), 1, "{command} {spec}: {said}");
             assert!(said.contains("error[E0611]") && said.contains("has no area"), "{command} {spec}: {said}");
             assert_eq!(folder.files(), ["thin.trim"], "{command} {spec}");
@@ -239,7 +239,7 @@ fn extension_without_a_meaning_is_refused_in_one_wording_by_every_command() {
         let folder = Folder::new();
         let target = folder.path(name).to_string_lossy().into_owned();
         let output = trimline(&[command, &example("eq19.trim"), "-o", &target]);
-        let said = text(&output.stderr);
+        let said = cli::text(&output.stderr);
         assert_eq!(status(&output), 2, "{command} {name}: {said}");
         assert!(said.contains(words), "{command} {name}: {said}");
         assert_eq!(folder.files(), Vec::<String>::new());
