@@ -58,6 +58,7 @@ pub mod resolve;
 pub mod surface;
 pub mod syntax;
 pub mod tessellate;
+pub mod threads;
 pub mod trial;
 pub mod verify;
 

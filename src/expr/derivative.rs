@@ -205,14 +205,14 @@ impl Graph {
     }
 
     fn derivative_once(&mut self, expr: ExprId, variable: Variable, bounds: Bounds) -> Result<ExprId, DerivativeFault> {
-        if let Some(known) = self.derivatives.get(&(expr, variable)) {
-            return Ok(*known);
+        if let Some(known) = self.known_derivative(expr, variable) {
+            return Ok(known);
         }
         let zero = self.integer(0);
         let mut known: FxHashMap<ExprId, ExprId> = FxHashMap::default();
         for id in self.reachable(&[expr]) {
-            if let Some(derivative) = self.derivatives.get(&(id, variable)) {
-                known.insert(id, *derivative);
+            if let Some(derivative) = self.known_derivative(id, variable) {
+                known.insert(id, derivative);
                 continue;
             }
             let depends = self.dependence(id);
@@ -223,7 +223,7 @@ impl Graph {
             };
             let result = if depends_on_variable { self.derivative_of_node(id, &known, bounds)? } else { zero };
             known.insert(id, result);
-            self.derivatives.insert((id, variable), result);
+            self.remember_derivative(id, variable, result);
         }
         Ok(known.get(&expr).copied().unwrap_or(zero))
     }

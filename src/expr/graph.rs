@@ -4,6 +4,8 @@
 //! loop over ascending ids and no depth a text decides can exhaust the stack.
 //! Nodes are only made by the constructors in [`simplify`](super::simplify), so every node is in canonical form.
 
+use std::sync::Arc;
+
 use indexmap::IndexSet;
 use rustc_hash::{FxBuildHasher, FxHashMap, FxHashSet};
 
@@ -109,17 +111,19 @@ impl Dependence {
 }
 
 /// An arena of expressions that share their common parts.
+///
+/// A clone shares what it was cloned from until one of the two grows.
 #[derive(Debug, Clone)]
 pub struct Graph {
-    nodes: IndexSet<Node, FxBuildHasher>,
-    dependence: Vec<Dependence>,
-    symbols: IndexSet<String, FxBuildHasher>,
+    nodes: Arc<IndexSet<Node, FxBuildHasher>>,
+    dependence: Arc<Vec<Dependence>>,
+    symbols: Arc<IndexSet<String, FxBuildHasher>>,
     /// Of all nodes together.
     operands: usize,
     /// Operands merged so far.
     work: usize,
     /// Derivatives that were taken: another order, or a function with a part in common, starts from them.
-    pub(super) derivatives: FxHashMap<(ExprId, Variable), ExprId>,
+    derivatives: Arc<FxHashMap<(ExprId, Variable), ExprId>>,
 }
 
 impl Default for Graph {
@@ -133,12 +137,12 @@ impl Graph {
     #[must_use]
     pub fn new() -> Self {
         let mut graph = Graph {
-            nodes: IndexSet::default(),
-            dependence: Vec::new(),
-            symbols: IndexSet::default(),
+            nodes: Arc::default(),
+            dependence: Arc::default(),
+            symbols: Arc::default(),
             operands: 0,
             work: 0,
-            derivatives: FxHashMap::default(),
+            derivatives: Arc::default(),
         };
         // Made first so that they come first wherever canonical order is id order: `1 - t`, `t sin(v)`.
         for value in [1, 0, -1] {
@@ -243,7 +247,8 @@ impl Graph {
 
     /// The symbol called `name`, made if there is none.
     pub fn symbol_id(&mut self, name: &str) -> SymbolId {
-        let index = self.symbols.get_index_of(name).unwrap_or_else(|| self.symbols.insert_full(name.to_owned()).0);
+        let known = self.symbols.get_index_of(name);
+        let index = known.unwrap_or_else(|| Arc::make_mut(&mut self.symbols).insert_full(name.to_owned()).0);
         SymbolId(u32::try_from(index).expect("limits keep a graph far below 2^32 symbols"))
     }
 
@@ -262,6 +267,32 @@ impl Graph {
         let mut found: Vec<ExprId> = seen.into_iter().collect();
         found.sort_unstable();
         found
+    }
+
+    /// The graph of what `roots` consist of alone, and the roots in it, in order.
+    ///
+    /// Symbols keep their indices and nodes their order, so what is made of the part does not depend on what else
+    /// the whole holds. Cost: as [`Graph::reachable`], and that of the symbols.
+    #[must_use]
+    pub fn part(&self, roots: &[ExprId]) -> (Graph, Vec<ExprId>) {
+        let mut part = Graph { symbols: Arc::clone(&self.symbols), ..Graph::new() };
+        let mut places: FxHashMap<ExprId, ExprId> = FxHashMap::default();
+        for id in self.reachable(roots) {
+            let place = |id: &ExprId| *places.get(id).expect("operands come before the nodes that use them");
+            let places_of = |ids: &[ExprId]| ids.iter().map(place).collect();
+            let node = match self.node(id) {
+                leaf @ (Node::Number(_) | Node::Constant(_) | Node::Symbol(_) | Node::Variable(_)) => leaf.clone(),
+                Node::Sum(terms) => Node::Sum(places_of(terms)),
+                Node::Product(factors) => Node::Product(places_of(factors)),
+                Node::Power(base, exponent) => Node::Power(place(base), place(exponent)),
+                Node::Call(function, arguments) => Node::Call(*function, places_of(arguments)),
+                Node::Spline(call, arguments) => Node::Spline(call.clone(), places_of(arguments)),
+            };
+            let place = part.intern(node);
+            places.insert(id, place);
+        }
+        let roots = roots.iter().filter_map(|root| places.get(root).copied()).collect();
+        (part, roots)
     }
 
     fn for_each_operand(&self, id: ExprId, mut visit: impl FnMut(ExprId)) {
@@ -296,11 +327,22 @@ impl Graph {
             }
             Node::Power(..) => 2,
         };
-        let (index, is_new) = self.nodes.insert_full(node);
-        if is_new {
+        // Looked up first: a clone that finds all it asks for stays shared.
+        let index = self.nodes.get_index_of(&node).unwrap_or_else(|| {
             self.operands += operands;
-            self.dependence.push(dependence);
-        }
+            Arc::make_mut(&mut self.dependence).push(dependence);
+            Arc::make_mut(&mut self.nodes).insert_full(node).0
+        });
         ExprId(u32::try_from(index).expect("limits keep a graph far below 2^32 nodes"))
+    }
+
+    /// The derivative of an expression in one variable, if it was taken before.
+    pub(super) fn known_derivative(&self, expr: ExprId, variable: Variable) -> Option<ExprId> {
+        self.derivatives.get(&(expr, variable)).copied()
+    }
+
+    /// Remembers a derivative.
+    pub(super) fn remember_derivative(&mut self, expr: ExprId, variable: Variable, derivative: ExprId) {
+        Arc::make_mut(&mut self.derivatives).insert((expr, variable), derivative);
     }
 }

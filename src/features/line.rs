@@ -253,22 +253,26 @@ impl Line<'_> {
         features
     }
 
-    /// The part of an interval in which the part changes by most of what it changes by in all.
+    /// The part of an interval in which the part of the function changes by most of what it changes by in all.
     fn step(&self, part: usize, [mut low, mut high]: [f64; 2], [mut a, mut b]: [f64; 2]) -> [f64; 2] {
-        let total = (b - a).abs();
+        let mut even: Option<[f64; 2]> = None;
         loop {
             let middle = 0.5 * (low + high);
             if middle <= low || middle >= high {
-                return [low, high];
+                return even.unwrap_or([low, high]);
             }
             let c = self.output(part, &[middle]).first().copied().unwrap_or(f64::NAN);
-            // Where neither half has most of it, the function is seen as it is.
-            if (c - a).abs() > 0.75 * total {
+            let (below, above) = ((c - a).abs(), (b - c).abs());
+            // A jump in the very middle leaves as much to each half; only the next halving shows it.
+            even = match even {
+                _ if below.max(above) > 0.75 * (b - a).abs() => None,
+                Some(interval) => return interval,
+                None => Some([low, high]),
+            };
+            if below >= above {
                 [high, b] = [middle, c];
-            } else if (b - c).abs() > 0.75 * total {
-                [low, a] = [middle, c];
             } else {
-                return [low, high];
+                [low, a] = [middle, c];
             }
         }
     }

@@ -86,7 +86,8 @@ impl Equation {
         let program = |outputs: &[ExprId]| compile(Program::compile(&graph, outputs), nodal);
         let (symbol_values, note) = program(&symbols.outputs);
         let (boundary_values, _) = program(&boundary(decomposition));
-        let functions = decomposition.basis.iter().map(|function| (function.expr, function.origin)).collect();
+        let functions: Vec<_> =
+            decomposition.basis.iter().map(|function| (function.expr, function.origin)).collect();
         Ok(Equation {
             orders: decomposition.patch.conditions.iter().map(|condition| condition.order).collect(),
             orders_in_u: symbols.orders_in_u,
@@ -95,7 +96,7 @@ impl Equation {
             origins: decomposition.basis.iter().map(|function| function.origin).collect(),
             symbol_values,
             boundary_values,
-            basis: Arc::new(Basis::new(graph.clone(), functions, backend, &options.limits)),
+            basis: Arc::new(Basis::new(&graph, &functions, backend, &options.limits)),
             note,
         })
     }

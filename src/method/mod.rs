@@ -75,6 +75,11 @@ pub trait Solver: Send + Sync {
     /// # Errors
     /// Data that are not finite, or a system without a reliable solution.
     fn solve(&self, params: &[f64], ranges: [[f64; 2]; 2], t: f64) -> Result<Solution, Diagnostic>;
+
+    /// Whether a solution, and what is reported of it, is the same at every instant: an animation then needs one.
+    fn solves_once(&self) -> bool {
+        false
+    }
 }
 
 /// A solved patch.

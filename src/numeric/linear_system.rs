@@ -37,7 +37,7 @@ impl LinearSystem {
     /// The x with `A x = b` for every column b of `right`; NaN if the lengths do not fit.
     #[must_use]
     pub fn solve(&self, right: &DMatrix<f64>) -> DMatrix<f64> {
-        let fits = right.nrows() == self.lu.l().nrows();
+        let fits = right.nrows() == self.lu.lu_internal().nrows();
         let solution = if fits { self.lu.solve(right) } else { None };
         solution.unwrap_or_else(|| right.map(|_| f64::NAN))
     }
@@ -50,7 +50,7 @@ fn column_norm(matrix: &DMatrix<f64>) -> f64 {
 
 /// Estimates the norm of the inverse (Hager 1984): climbs along the gradient of the convex function |A⁻¹x|.
 fn inverse_norm(lu: &LU<f64, Dyn, Dyn>, transposed: &LU<f64, Dyn, Dyn>) -> Option<f64> {
-    let count = lu.l().nrows();
+    let count = lu.lu_internal().nrows();
     let mut x = DMatrix::from_element(count, 1, 1.0 / count as f64);
     let mut estimate = 0.0_f64;
     for _ in 0..STEPS {

@@ -45,6 +45,19 @@ impl PdeOperator {
         PdeOperator { terms, force: [graph.integer(0); 3], origin: None }
     }
 
+    /// The same equation on the part of `graph` that its own coefficients and force consist of.
+    #[must_use]
+    pub fn part(&self, graph: &Graph) -> (Graph, PdeOperator) {
+        let vectors = self.terms.iter().map(|term| term.coefficient).chain([self.force]);
+        let (part, places) = graph.part(&vectors.flatten().collect::<Vec<ExprId>>());
+        let mut operator = self.clone();
+        let vectors = operator.terms.iter_mut().map(|term| &mut term.coefficient).chain([&mut operator.force]);
+        for (slot, place) in vectors.flatten().zip(places) {
+            *slot = place;
+        }
+        (part, operator)
+    }
+
     /// The highest derivative in u: the number of conditions the equation needs.
     #[must_use]
     pub fn order_in_u(&self) -> usize {

@@ -21,7 +21,7 @@ const NAME_BYTES: usize = 80;
 impl Basis {
     /// The `functions` of `graph`, each with the place it comes from.
     #[must_use]
-    pub fn new(graph: Graph, functions: Vec<(ExprId, Option<Span>)>, backend: Backend, limits: &Limits) -> Basis {
+    pub fn new(graph: &Graph, functions: &[(ExprId, Option<Span>)], backend: Backend, limits: &Limits) -> Basis {
         let name = |(expr, _): &(ExprId, Option<Span>)| {
             graph.text(*expr, Notation::Ascii, NAME_BYTES).unwrap_or_else(|_| "a long expression".to_owned())
         };

@@ -4,34 +4,63 @@
 //! H1). H are the cubic Hermite functions of each range, X and Y the data, C what the corners state, f functions with
 //! double zeros at both ends. So position and tangent on every side are those stated, whatever the c_mn.
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use nalgebra::DMatrix;
 
 use super::gregory::turn;
 use super::sides::CONDITIONS;
 use super::validity::{check_instant, finite, unknown_in_time};
-use super::{Basis, Coefficients, Corner, Sides, Surface};
+use super::{Basis, Coefficients, Corner, Sides, Surface, TabulatedModes};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::expr::Derivative;
-use crate::trial::Modes;
 
 /// A surface with given position and tangent on four sides.
 pub struct CoonsSurface {
     /// The data.
-    pub sides: Arc<Sides>,
+    sides: Arc<Sides>,
     /// The functions of u and of v: the four cubic Hermite ones, then those with double zeros at both ends.
-    pub modes: [Arc<dyn Modes>; 2],
+    modes: [Arc<TabulatedModes>; 2],
     /// Values of the parameters.
-    pub params: Vec<f64>,
+    params: Vec<f64>,
     /// Whether the twists of the sides disagree, by corner as in [`Sides::corners`].
-    pub is_twisted: [bool; 4],
-    /// The coefficients c_mn, n running faster, then their derivatives in time as far as they are known; all further
-    /// ones are zero if the coefficients hold for every t.
-    pub corrections: Vec<Coefficients>,
+    is_twisted: [bool; 4],
+    corrections: Corrections,
     /// The only instant at which the corrections hold; `None` if they hold for every t.
-    pub instant: Option<f64>,
+    instant: Option<f64>,
+    /// What was found for the last instants and orders in t: every grid asks for it.
+    cores: Mutex<Vec<(f64, usize, Arc<Core>)>>,
 }
+
+/// The coefficients c_mn, n running faster, and their derivatives in time, each found when it is first asked for.
+///
+/// Those beyond are unknown, or zero if the coefficients hold for every t.
+#[derive(Default)]
+pub struct Corrections {
+    levels: Vec<OnceLock<Result<Coefficients, Diagnostic>>>,
+    find: Option<Box<Find>>,
+}
+
+/// Finds the derivative of a given order.
+type Find = dyn Fn(usize) -> Result<Coefficients, Diagnostic> + Send + Sync;
+
+impl Corrections {
+    /// `first`, and the `further` derivatives that `find` finds.
+    #[must_use]
+    pub fn new(first: Coefficients, further: usize, find: Box<Find>) -> Corrections {
+        let levels = std::iter::once(OnceLock::from(Ok(first))).chain((0..further).map(|_| OnceLock::new()));
+        Corrections { levels: levels.collect(), find: Some(find) }
+    }
+
+    /// The derivative of order `order` in t; `None` beyond those there are.
+    fn level(&self, order: usize) -> Option<Result<&Coefficients, Diagnostic>> {
+        let (level, find) = (self.levels.get(order)?, self.find.as_ref()?);
+        Some(level.get_or_init(|| find(order)).as_ref().map_err(Clone::clone))
+    }
+}
+
+/// Instants and orders in t of which a surface remembers what they have in common.
+const REMEMBERED: usize = 4;
 
 /// At one instant, for each component, the matrix between the functions of u and of v; and for each corner half the
 /// difference of its twists.
@@ -41,9 +70,41 @@ struct Core {
 }
 
 impl CoonsSurface {
+    /// The surface between `sides`, where `is_twisted` says, by corner as in [`Sides::corners`], whether their twists
+    /// disagree.
+    ///
+    /// `modes` are the functions of u and of v: the four cubic Hermite ones, then as many as there are corrections. The
+    /// corrections hold at `instant` alone, or for every t.
+    #[must_use]
+    pub fn new(
+        sides: Arc<Sides>,
+        modes: [Arc<TabulatedModes>; 2],
+        params: &[f64],
+        is_twisted: [bool; 4],
+        (corrections, instant): (Corrections, Option<f64>),
+    ) -> CoonsSurface {
+        let (params, cores) = (params.to_vec(), Mutex::default());
+        CoonsSurface { sides, modes, params, is_twisted, corrections, instant, cores }
+    }
+
     /// The corners' values and the corrections, differentiated `order` times in t.
-    fn core(&self, t: f64, order: usize) -> Result<Core, Diagnostic> {
-        let corrections = match self.corrections.get(order) {
+    fn core(&self, t: f64, order: usize) -> Result<Arc<Core>, Diagnostic> {
+        // A panic elsewhere leaves the list whole.
+        let lock = || self.cores.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((.., core)) = lock().iter().find(|(at, of, _)| *at == t && *of == order) {
+            return Ok(Arc::clone(core));
+        }
+        let core = Arc::new(self.new_core(t, order)?);
+        let mut cores = lock();
+        if cores.len() >= REMEMBERED {
+            cores.remove(0);
+        }
+        cores.push((t, order, Arc::clone(&core)));
+        Ok(core)
+    }
+
+    fn new_core(&self, t: f64, order: usize) -> Result<Core, Diagnostic> {
+        let corrections = match self.corrections.level(order).transpose()? {
             None if self.instant.is_some() => return Err(unknown_in_time(order)),
             corrections => corrections,
         };
@@ -163,7 +224,7 @@ impl Surface for CoonsSurface {
             |axis: usize| -> Vec<f64> { points.iter().filter_map(|point| point.get(axis)).copied().collect() };
         let (u, v, t) = (coordinate(0), coordinate(1), coordinate(2));
         let [across, along] = self.data(derivative, &v, &u, [&t, &t])?;
-        let mut known: Option<(f64, Core)> = None;
+        let mut known: Option<(f64, Arc<Core>)> = None;
         for (index, ([u, v, t], value)) in points.iter().zip(values.iter_mut()).enumerate() {
             let core = match known.take() {
                 Some((at, core)) if at == *t => core,
@@ -204,22 +265,22 @@ impl Surface for CoonsSurface {
         check_instant(self.instant, t)?;
         let [across, along] = self.data(derivative, v, u, [&vec![t; v.len()], &vec![t; u.len()]])?;
         let core = self.core(t, derivative.t)?;
-        let table = |axis: usize, order: usize, at: &[f64]| {
-            let rows: Vec<f64> = at.iter().flat_map(|at| self.modes_at(axis, order, *at)).collect();
-            DMatrix::from_row_slice(at.len(), rows.len().checked_div(at.len()).unwrap_or(0), &rows)
-        };
-        let (in_u, in_v) = (table(0, derivative.u, u), table(1, derivative.v, v).transpose());
+        let [of_u, of_v] = &self.modes;
+        let (in_u, in_v) = (of_u.table(derivative.u, u), of_v.table(derivative.v, v));
+        let columns = v.len();
+        // Values of the four functions of v, and of the data along v, at every v: four slices each.
+        let functions = first_four(in_v.values.as_slice().chunks(columns.max(1)));
         for (component, matrix) in core.matrices.iter().enumerate() {
-            let of = |data: &[f64], condition: usize, sample: usize, samples: usize| {
-                data.get((condition * 3 + component) * samples + sample).copied().unwrap_or(f64::NAN)
-            };
-            let across = DMatrix::from_fn(CONDITIONS, v.len(), |condition, j| of(&across, condition, j, v.len()));
-            let along = DMatrix::from_fn(u.len(), CONDITIONS, |i, condition| of(&along, condition, i, u.len()));
-            let sum = in_u.columns(0, CONDITIONS) * across + along * in_v.rows(0, CONDITIONS) + &in_u * matrix * &in_v;
-            for (row, slots) in sum.row_iter().zip(values.chunks_mut(v.len().max(1))) {
-                for (value, slot) in row.iter().zip(slots) {
+            let data = first_four(across.chunks(columns.max(1)).skip(component).step_by(3));
+            let inner = &in_u.values * matrix * &in_v.transposed;
+            let rows = in_u.values.row_iter().zip(inner.row_iter()).zip(values.chunks_mut(columns.max(1)));
+            for (i, ((in_u, inner), slots)) in rows.enumerate() {
+                let of_data = four(in_u.iter().copied());
+                let of_functions = four(along.iter().skip(component * u.len() + i).step_by(3 * u.len()).copied());
+                let (data, functions) = (sums(of_data, data), sums(of_functions, functions));
+                for (((slot, data), functions), inner) in slots.iter_mut().zip(data).zip(functions).zip(inner.iter()) {
                     if let Some(slot) = slot.get_mut(component) {
-                        *slot = *value;
+                        *slot = data + functions + inner;
                     }
                 }
             }
@@ -232,4 +293,19 @@ impl Surface for CoonsSurface {
         }
         finite(values)
     }
+}
+
+/// The first four slices; what is not there is empty.
+fn first_four<'a>(mut all: impl Iterator<Item = &'a [f64]>) -> [&'a [f64]; CONDITIONS] {
+    [(); CONDITIONS].map(|()| all.next().unwrap_or_default())
+}
+
+/// The first four numbers.
+fn four(mut all: impl Iterator<Item = f64>) -> [f64; CONDITIONS] {
+    [(); CONDITIONS].map(|()| all.next().unwrap_or(f64::NAN))
+}
+
+/// `Σ_c factors_c rows_c` for every entry of the rows, in ascending order.
+fn sums([a, b, c, d]: [f64; CONDITIONS], [x, y, z, w]: [&[f64]; CONDITIONS]) -> impl Iterator<Item = f64> {
+    x.iter().zip(y).zip(z).zip(w).map(move |(((x, y), z), w)| a * x + b * y + c * z + d * w)
 }

@@ -61,7 +61,7 @@ impl Bump {
         let ends = deformation.region.concat();
         let (ends, _) = compile(Program::compile(&graph, &ends), Backend::Interpreter);
         let displacement = deformation.displacement(&mut graph).map(|expr| (expr, deformation.origin)).to_vec();
-        let displacement = Functions::new(graph, displacement, backend, limits);
+        let displacement = Functions::new(&graph, &displacement, backend, limits);
         Ok(Bump { displacement, ends, origin: deformation.origin })
     }
 

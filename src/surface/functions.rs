@@ -12,26 +12,25 @@ use crate::limits::Limits;
 
 /// Functions that are evaluated together.
 ///
-/// A derivative is made and compiled when it is first asked for, and kept.
+/// A derivative is made and compiled when it is first asked for, and kept. It is made from the functions themselves,
+/// not from others that were made before, so it has the same bits whoever asks for what first.
 pub struct Functions {
+    /// The graph of the functions alone.
+    graph: Graph,
     functions: Vec<(ExprId, Option<Span>)>,
-    compiled: Mutex<Compiled>,
+    compiled: Mutex<FxHashMap<Derivative, Arc<dyn Evaluator>>>,
     backend: Backend,
     graph_nodes: usize,
-}
-
-/// What grows when a new derivative is asked for.
-struct Compiled {
-    graph: Graph,
-    evaluators: FxHashMap<Derivative, Arc<dyn Evaluator>>,
 }
 
 impl Functions {
     /// The `functions` of `graph`, each with the place it comes from.
     #[must_use]
-    pub fn new(graph: Graph, functions: Vec<(ExprId, Option<Span>)>, backend: Backend, limits: &Limits) -> Functions {
-        let compiled = Mutex::new(Compiled { graph, evaluators: FxHashMap::default() });
-        Functions { functions, compiled, backend, graph_nodes: limits.graph_nodes }
+    pub fn new(graph: &Graph, functions: &[(ExprId, Option<Span>)], backend: Backend, limits: &Limits) -> Functions {
+        let (exprs, origins): (Vec<ExprId>, Vec<Option<Span>>) = functions.iter().copied().unzip();
+        let (graph, exprs) = graph.part(&exprs);
+        let functions = exprs.into_iter().zip(origins).collect();
+        Functions { graph, functions, compiled: Mutex::default(), backend, graph_nodes: limits.graph_nodes }
     }
 
     /// The number of functions.
@@ -73,21 +72,16 @@ impl Functions {
     /// [`Code::NotDifferentiable`] for a derivative that does not exist, [`Code::LimitReached`] for one that grows too
     /// large.
     pub fn program(&self, derivatives: &[Derivative]) -> Result<Program, Diagnostic> {
-        let mut guard = self.compiled.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut graph = self.graph.clone();
         let mut outputs = Vec::with_capacity(derivatives.len() * self.functions.len());
         for derivative in derivatives {
-            outputs.extend(self.derived(&mut guard.graph, *derivative)?);
+            for (expr, origin) in &self.functions {
+                let result = graph.derivative_within(*expr, *derivative, self.graph_nodes);
+                outputs
+                    .push(result.map_err(|fault| fault.to_diagnostic(*derivative, self.graph_nodes).at(*origin))?);
+            }
         }
-        Ok(Program::compile(&guard.graph, &outputs))
-    }
-
-    /// A derivative of every function.
-    fn derived(&self, graph: &mut Graph, derivative: Derivative) -> Result<Vec<ExprId>, Diagnostic> {
-        let derived = |(expr, origin): &(ExprId, Option<Span>)| {
-            let result = graph.derivative_within(*expr, derivative, self.graph_nodes);
-            result.map_err(|fault| fault.to_diagnostic(derivative, self.graph_nodes).at(*origin))
-        };
-        self.functions.iter().map(derived).collect()
+        Ok(Program::compile(&graph, &outputs))
     }
 
     /// The values of the coordinate the functions depend on, inside `range` at instant `t`, at which they are put together
@@ -102,15 +96,13 @@ impl Functions {
     }
 
     fn evaluator(&self, derivative: Derivative) -> Result<Arc<dyn Evaluator>, Diagnostic> {
-        // A panic elsewhere cannot leave the graph inconsistent: it only ever grows.
-        let mut guard = self.compiled.lock().unwrap_or_else(PoisonError::into_inner);
-        let Compiled { graph, evaluators } = &mut *guard;
-        if let Some(evaluator) = evaluators.get(&derivative) {
+        // A panic elsewhere leaves the map as it was.
+        let mut compiled = self.compiled.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(evaluator) = compiled.get(&derivative) {
             return Ok(Arc::clone(evaluator));
         }
-        let outputs = self.derived(graph, derivative)?;
-        let (evaluator, _) = compile(Program::compile(graph, &outputs), self.backend);
-        evaluators.insert(derivative, Arc::clone(&evaluator));
+        let (evaluator, _) = compile(self.program(&[derivative])?, self.backend);
+        compiled.insert(derivative, Arc::clone(&evaluator));
         Ok(evaluator)
     }
 }

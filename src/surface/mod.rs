@@ -16,12 +16,13 @@ mod scattered;
 mod separable;
 mod sides;
 mod symbolic;
+mod tabulated;
 mod validity;
 
 pub use apex::Apex;
 pub use basis::Basis;
 pub use bspline::{BsplineCurve, BsplineSurface, KnotVector, MovingBspline};
-pub use coons::CoonsSurface;
+pub use coons::{CoonsSurface, Corrections};
 pub use deformed::{Bump, DeformedSurface, Region};
 pub use functions::Functions;
 pub use on_grid::{GridShape, SurfaceOnGrid, UnitNormals};
@@ -29,6 +30,7 @@ pub use placed::{CompiledPlacement, PlacedSurface, is_lost};
 pub use separable::{Coefficients, SeparableSurface};
 pub use sides::{Corner, Sides};
 pub use symbolic::SymbolicSurface;
+pub use tabulated::TabulatedModes;
 
 use crate::diagnostic::Diagnostic;
 use crate::expr::Derivative;

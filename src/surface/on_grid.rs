@@ -3,6 +3,8 @@
 //! `S = Σ_m φ_m(u) H_m(v)` with `H_m = Σ_j C_mj F_j`, or `S = Σ_j G_j(u) F_j(v)` with `G_j = Σ_m C_mj φ_m`, whichever sum is the
 //! shorter. What does not depend on t is kept from one instant to the next: the modes at every u.
 
+use std::ops::Range;
+use std::slice::ChunksMut;
 use std::sync::Arc;
 
 use super::SeparableSurface;
@@ -12,6 +14,7 @@ use crate::diagnostic::Diagnostic;
 use crate::expr::Derivative;
 use crate::kernels::InstructionSet;
 use crate::kernels::grid::{self, Across, Along, Number, Outputs, Stores};
+use crate::threads;
 use crate::trial::Modes;
 
 /// A surface's points and directions on a grid, u-major.
@@ -44,6 +47,22 @@ pub struct SurfaceOnGrid<'a> {
     /// The modes of the last surface, and their derivatives of each order asked for: a row for each u.
     modes: Option<Arc<dyn Modes>>,
     tables: Vec<(usize, Arc<Vec<f64>>)>,
+}
+
+/// Vertices that are worth handing to another thread.
+const PIECE: usize = 1 << 14;
+/// Rows that kernels write together.
+const TILE: usize = 8;
+
+/// Outputs in pieces of `size` vertices.
+fn cut<'a, N>(outputs: Outputs<'a, N>, size: usize) -> impl Iterator<Item = Outputs<'a, N>> {
+    let Outputs { positions, normals, tangents } = outputs;
+    let mut tangents = tangents.map(|both| both.map(|values| values.chunks_mut(size)));
+    let pieces = positions.chunks_mut(size).zip(normals.chunks_mut(size));
+    pieces.map(move |(positions, normals)| {
+        let next = |[u, v]: &mut [ChunksMut<'a, [N; 3]>; 2]| Some([u.next()?, v.next()?]);
+        Outputs { positions, normals, tangents: tangents.as_mut().and_then(next) }
+    })
 }
 
 /// The factors of one derivative.
@@ -83,7 +102,10 @@ impl<'a> SurfaceOnGrid<'a> {
         let along = factors.along.interleaved();
         let bound = grid::bound(&factors.across, &factors.along);
         let stores = Stores::suited_to(size_of_val(values));
-        grid::positions(self.set, stores, (&factors.across, &along), 0..self.u.len(), values);
+        let pieces = self.pieces().zip(values.chunks_mut(self.vertices_of_a_piece()));
+        threads::map(pieces.collect(), |(rows, values)| {
+            grid::positions(self.set, stores, (&factors.across, &along), rows, values);
+        });
         if bound <= N::LARGEST { Ok(()) } else { finite(values) }
     }
 
@@ -128,7 +150,12 @@ impl<'a> SurfaceOnGrid<'a> {
         };
         let across = [&values.across, &slopes_u.across];
         let along = [&values.along, &slopes_v.along];
-        let least = grid::shape(self.set, Stores::suited_to(bytes), (across, along), 0..self.u.len(), outputs);
+        let stores = Stores::suited_to(bytes);
+        let pieces = self.pieces().zip(cut(outputs, self.vertices_of_a_piece())).collect();
+        let work = |(rows, outputs)| grid::shape(self.set, stores, (across, along), rows, outputs);
+        // A least that is not a number must stay one.
+        let lesser = |least: f64, here: f64| if here < least || here.is_nan() { here } else { least };
+        let least = threads::map(pieces, work).into_iter().fold(f64::INFINITY, lesser);
         if !bounds.iter().all(|bound| *bound <= N::LARGEST) {
             finite(positions)?;
             for tangents in tangents.into_iter().flatten() {
@@ -137,6 +164,21 @@ impl<'a> SurfaceOnGrid<'a> {
         }
         let are_moderate = bounds.iter().skip(1).all(|bound| *bound <= N::MODERATE);
         Ok(are_moderate.then_some(least))
+    }
+
+    /// Rows that one thread writes at a time: enough to be worth a thread, in whole tiles.
+    fn rows_of_a_piece(&self) -> usize {
+        PIECE.div_ceil(self.v.len().max(1)).next_multiple_of(TILE)
+    }
+
+    fn vertices_of_a_piece(&self) -> usize {
+        (self.rows_of_a_piece() * self.v.len()).max(1)
+    }
+
+    /// All rows, in pieces.
+    fn pieces(&self) -> impl Iterator<Item = Range<usize>> {
+        let (all, size) = (self.u.len(), self.rows_of_a_piece());
+        (0..all).step_by(size).map(move |first| first..all.min(first + size))
     }
 
     /// The factors of a derivative, the shorter of the two sums.

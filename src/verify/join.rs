@@ -4,7 +4,8 @@
 //! boundary data that were made of it are not looked at: a fault on the way from the surface to them would show here.
 
 use super::contact::{Vector, angle_degrees, difference, direction, distance, dot, length, normals, worse};
-use super::{GRID, run, with_ends};
+use super::programs::VectorProgram;
+use super::{GRID, with_ends};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::eval::Samples;
 use crate::expr::{Derivative, ExprId, Variable};
@@ -92,7 +93,7 @@ fn arguments(
     let column = |index: usize| -> Vec<f64> { points.iter().filter_map(|point| point.get(index)).copied().collect() };
     let samples = (column(0), column(1), column(2));
     let samples = Samples { u: &samples.0, v: &samples.1, t: &samples.2 };
-    let values = run(&problem.graph, &join.arguments, bindings, samples)?;
+    let values = VectorProgram::compile(&problem.graph, &join.arguments).at(bindings, samples)?;
     let row = |index: usize| values.iter().skip(index * points.len()).copied();
     Ok(row(0).zip(row(1)).zip(row(2)).take(points.len()).map(|((a, b), time)| [a, b, time]).collect())
 }

@@ -9,21 +9,23 @@ mod contact;
 mod join;
 mod overlap;
 mod passed_over;
+mod programs;
 mod seam;
 
 pub use apex::{ApexDeviation, verify_apexes};
 pub use join::{JoinDeviation, verify_joins};
 pub use overlap::{Curve, Parts, common_part};
 pub use passed_over::{check_deformations, refuse_poles};
+pub use programs::Programs;
 pub use seam::{Edge, Line, SeamDeviation};
 
 use crate::diagnostic::{Code, Diagnostic, Shortest, Span};
-use crate::eval::{Backend, Program, Samples, compile};
-use crate::expr::{Derivative, ExprId, Graph, Notation, Variable};
+use crate::expr::{Derivative, ExprId, Notation, Variable};
 use crate::features::Features;
 use crate::numeric::{NodeKind, nodes};
 use crate::problem::{Bindings, BoundaryCondition, DomainValues, Patch, Problem, SideCondition, describe};
 use crate::surface::Surface;
+use programs::VectorProgram;
 
 use passed_over::{check_poles, features_of};
 
@@ -78,12 +80,27 @@ const GRID: [usize; 2] = [23, 37];
 /// Measures `surface` as a solution of `patch` at instant `t`.
 ///
 /// The residual is taken inside the domain and on its border, at 23 x 37 points and where data, coefficients or force are
-/// narrow; if all four sides carry data, inside only.
+/// narrow; if all four sides carry data, inside only. For one patch at many instants, [`verify_with`] compiles its
+/// expressions once.
 ///
 /// # Errors
 /// [`Code::DataNotFinite`] when the boundary data are not finite somewhere on the grid, or data, a coefficient or the
 /// force have a pole between its points; whatever the surface says when it cannot be evaluated.
 pub fn verify(
+    problem: &Problem,
+    patch: &Patch,
+    surface: &dyn Surface,
+    numbers: (&Bindings, &DomainValues, f64),
+) -> Result<Verification, Diagnostic> {
+    verify_with(&Programs::compile(&problem.graph, patch), problem, patch, surface, numbers)
+}
+
+/// As [`verify`], with what was compiled for the patch.
+///
+/// # Errors
+/// As [`verify`].
+pub fn verify_with(
+    programs: &Programs,
     problem: &Problem,
     patch: &Patch,
     surface: &dyn Surface,
@@ -94,9 +111,9 @@ pub fn verify(
     let u = Features::refined(&features.u, &with_ends(GRID[0], domain.u), domain.u);
     let mut boundary_errors = Vec::with_capacity(patch.conditions.len() + patch.side_conditions.len());
     let mut data_size = 0.0_f64;
-    for side in sides(patch) {
+    for (side, stated) in sides(patch).zip(&programs.sides) {
         let position = bindings.constant(problem, side.position, None, "the position of a boundary")?;
-        let (error, size) = boundary_error(problem, surface, bindings, &side, (position, [&u, &v], t))?;
+        let (error, size) = boundary_error(problem, surface, bindings, (&side, stated), (position, [&u, &v], t))?;
         boundary_errors.push(error);
         data_size = data_size.max(size);
     }
@@ -104,7 +121,7 @@ pub fn verify(
     // Four sides meet in corners, where the data need not satisfy the equation: only the inside is judged.
     let inside = |nodes: &[f64]| nodes.get(1..nodes.len() - 1).map(<[f64]>::to_vec).unwrap_or_default();
     let (u, v) = if patch.is_four_sided() { (inside(&u), inside(&v)) } else { (u, v) };
-    let (sums, largest_term) = equation(problem, patch, surface, bindings, (&u, &v, t))?;
+    let (sums, largest_term) = equation(programs, patch, surface, bindings, (&u, &v, t))?;
     let residual = sums.iter().fold(0.0_f64, |most, sum| most.max(sum.abs()));
     let mut positions = vec![[0.0; 3]; u.len() * v.len()];
     surface.evaluate_grid(Derivative::NONE, (&u, &v, t), &mut positions)?;
@@ -138,7 +155,7 @@ fn boundary_error(
     problem: &Problem,
     surface: &dyn Surface,
     bindings: &Bindings,
-    side: &Side<'_>,
+    (side, stated): (&Side<'_>, &VectorProgram),
     (position, [u, v], t): (f64, [&[f64]; 2], f64),
 ) -> Result<(f64, f64), Diagnostic> {
     let here = [position];
@@ -148,7 +165,7 @@ fn boundary_error(
     } else {
         (u, &here[..], u, Derivative::new(0, side.order, 0))
     };
-    let stated = evaluate(&problem.graph, side.value, bindings, u, v, t)?;
+    let stated = stated.on_grid(bindings, (u, v, t))?;
     if let Some(at) = stated.iter().position(|value| !value.is_finite()) {
         let component = at / along.len();
         let text = side.value.get(component).map(|expr| problem.graph.text(*expr, Notation::Ascii, 80));
@@ -198,7 +215,7 @@ pub fn boundary_gaps(
         let at = bindings.constant(problem, side.position, None, "the position of a boundary")?;
         let here = [at];
         let grid = if side.across == Variable::U { (&here[..], &v[..], t) } else { (&u[..], &here[..], t) };
-        let stated = evaluate(&problem.graph, side.value, bindings, grid.0, grid.1, t)?;
+        let stated = VectorProgram::compile(&problem.graph, side.value).on_grid(bindings, grid)?;
         let mut found = vec![[0.0; 3]; places];
         surface.evaluate_grid(Derivative::NONE, grid, &mut found)?;
         let component = |index: usize| stated.iter().skip(index * places).copied();
@@ -229,7 +246,8 @@ pub fn residuals(
     bindings: &Bindings,
     (u, v, t): (&[f64], &[f64], f64),
 ) -> Result<Vec<f64>, Diagnostic> {
-    let (sums, largest_term) = equation(problem, patch, surface, bindings, (u, v, t))?;
+    let programs = Programs::compile(&problem.graph, patch);
+    let (sums, largest_term) = equation(&programs, patch, surface, bindings, (u, v, t))?;
     let mut residuals = vec![0.0_f64; u.len() * v.len()];
     for component in sums.chunks(residuals.len().max(1)) {
         for (most, sum) in residuals.iter_mut().zip(component) {
@@ -241,7 +259,7 @@ pub fn residuals(
 
 /// Left side minus right side of the equation on the grid, component after component, and the largest single term.
 fn equation(
-    problem: &Problem,
+    programs: &Programs,
     patch: &Patch,
     surface: &dyn Surface,
     bindings: &Bindings,
@@ -249,12 +267,11 @@ fn equation(
 ) -> Result<(Vec<f64>, f64), Diagnostic> {
     let points = u.len() * v.len();
     // The force stands on the right of the equation.
-    let mut sums: Vec<f64> =
-        evaluate(&problem.graph, &patch.operator.force, bindings, u, v, t)?.iter().map(|q| -q).collect();
+    let mut sums: Vec<f64> = programs.force.on_grid(bindings, (u, v, t))?.iter().map(|q| -q).collect();
     let mut largest = sums.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
     let mut values = vec![[0.0; 3]; points];
-    for term in &patch.operator.terms {
-        let factors = evaluate(&problem.graph, &term.coefficient, bindings, u, v, t)?;
+    for (term, coefficient) in patch.operator.terms.iter().zip(&programs.coefficients) {
+        let factors = coefficient.on_grid(bindings, (u, v, t))?;
         // Where the equation does not take a derivative, it need not exist.
         if factors.iter().all(|factor| *factor == 0.0) {
             continue;
@@ -275,36 +292,6 @@ fn equation(
         return Err(finding.at(patch.operator.origin));
     }
     Ok((sums, largest))
-}
-
-/// The value of three expressions on the grid, component after component, u-major.
-fn evaluate(
-    graph: &Graph,
-    expressions: &[ExprId; 3],
-    bindings: &Bindings,
-    u: &[f64],
-    v: &[f64],
-    t: f64,
-) -> Result<Vec<f64>, Diagnostic> {
-    let us: Vec<f64> = u.iter().flat_map(|&u| v.iter().map(move |_| u)).collect();
-    let vs: Vec<f64> = u.iter().flat_map(|_| v.iter().copied()).collect();
-    let ts = vec![t; us.len()];
-    run(graph, expressions, bindings, Samples { u: &us, v: &vs, t: &ts })
-}
-
-/// The value of three expressions at samples, row after row.
-fn run(
-    graph: &Graph,
-    expressions: &[ExprId; 3],
-    bindings: &Bindings,
-    samples: Samples<'_>,
-) -> Result<Vec<f64>, Diagnostic> {
-    let (evaluator, _) = compile(Program::compile(graph, expressions), Backend::Interpreter);
-    let mut values = vec![0.0; 3 * samples.u.len()];
-    evaluator
-        .evaluate(bindings.as_slice(), samples, &mut values)
-        .map_err(|error| Diagnostic::new(Code::SolutionNotFinite, error.to_string()))?;
-    Ok(values)
 }
 
 fn not_finite(what: &str, value: Option<f64>, origin: Option<Span>, at: (&str, Option<&f64>), t: f64) -> Diagnostic {

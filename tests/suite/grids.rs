@@ -210,8 +210,8 @@ fn surface(count: usize, instant: Option<f64>) -> SeparableSurface {
         })
         .collect();
     let functions = [one, t, cosine, sine, moving_cosine, moving_sine].into_iter().chain(more).take(count);
-    let functions = functions.map(|function| (function, None)).collect();
-    let basis = Basis::new(graph, functions, Backend::Auto, &Limits::default());
+    let functions: Vec<_> = functions.map(|function| (function, None)).collect();
+    let basis = Basis::new(&graph, &functions, Backend::Auto, &Limits::default());
     let functionals = [(0.0, 0), (0.0, 1), (1.0, 0), (1.0, 1)];
     let modes = CorrectedTrial::new(Arc::new(Sine), 2, [0.0, 1.0], &functionals).expect("independent");
     let table = |seed: usize| {

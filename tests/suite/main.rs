@@ -65,5 +65,6 @@ mod spec;
 mod static_blend;
 mod step_reading;
 mod surfaces;
+mod threads;
 #[cfg(feature = "view")]
 mod view;

@@ -9,6 +9,7 @@ use trimline::diagnostic::Shortest;
 use trimline::expr::{Notation, Variable};
 use trimline::morph::{ends, interpolate};
 use trimline::problem::{Explanation, Patch, describe};
+use trimline::threads;
 use trimline::verify::{ApexDeviation, JoinDeviation, Verification, verify_apexes, verify_joins};
 
 use crate::Outcome;
@@ -19,7 +20,7 @@ use crate::options::{Collocation, Format, Solving, Terminal};
 use crate::output::{self, rounded};
 use crate::parts::{Located, Part};
 use crate::seams::{self, SeamReport};
-use crate::workflow::{Patched, Spec, common_times};
+use crate::workflow::{Patched, Solved, Spec, common_times};
 
 #[derive(Args)]
 pub struct Arguments {
@@ -201,11 +202,18 @@ fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Check
     let mut reports = Vec::new();
     let parts = spec.parts(&arguments.solving, arguments.collocation.points.as_deref())?;
     let (mut net_reports, mut copies) = (Vec::new(), Vec::new());
-    for part in &parts {
-        let times = match arguments.solving.time {
-            Some(_) => vec![part.instant(arguments.solving.time)?],
-            None => measured_instants(part.domain().t),
-        };
+    let times_of = |part: &Part| match arguments.solving.time {
+        Some(_) => part.instant(arguments.solving.time).map(|time| vec![time]),
+        None => Ok(measured_instants(part.domain().t)),
+    };
+    let times = parts.iter().map(times_of).collect::<Result<Vec<_>, _>>()?;
+    // What takes time, in any order; what there is to say follows in the order of parts and instants.
+    let solved = parts.iter().zip(&times).filter_map(|(part, times)| match part {
+        Part::Patch(patched) => Some(times.iter().map(move |time| (&**patched, *time))),
+        _ => None,
+    });
+    let mut measured = threads::map(solved.flatten().collect(), |(patched, time)| measure(&spec, patched, time)).into_iter();
+    for (part, times) in parts.iter().zip(times) {
         let patched = match part {
             Part::Patch(patched) => patched,
             Part::Net(_) => {
@@ -226,7 +234,8 @@ fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Check
         let mut largest_residual = (0.0, times.first().copied().unwrap_or_default());
         let mut said = Said::default();
         for &time in &times {
-            let solved = spec.solve(patched, time)?;
+            let Some(here) = measured.next() else { break };
+            let Measured { solved, joins: met, apexes: found } = here?;
             method = solved.solution.report.method;
             let here = solved.solution.report.amplification;
             amplification = here.into_iter().chain(amplification).reduce(f64::max);
@@ -234,16 +243,11 @@ fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Check
             if solved.measured.relative_residual() > largest_residual.0 {
                 largest_residual = (solved.measured.relative_residual(), time);
             }
-            let at = (&spec.bindings, &patched.prepared.domain, time);
-            let met =
-                verify_joins(&spec.problem, patched.prepared.patch(), &*solved.solution.surface, at, &spec.limits);
-            let met = met.map_err(|finding| spec.fault(finding))?;
             joins = Some(match joins {
                 Some(before) => before.into_iter().zip(&met).map(|(before, met)| before.worst(met)).collect(),
                 None => met,
             });
-            let here = verify_apexes(&spec.problem, patched.prepared.patch(), &*solved.solution.surface, at);
-            apexes = Some(worse_apexes(apexes, here.map_err(|finding| spec.fault(finding))?));
+            apexes = Some(worse_apexes(apexes, found));
             worst = Some(match worst {
                 Some(before) => before.worst(&solved.measured),
                 None => solved.measured,
@@ -266,13 +270,31 @@ fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Check
     }
     let (seams, open) = match seam_times(arguments, &spec, &parts) {
         Some(times) => {
-            let surfaces_at = |time| parts.iter().map(|part| Ok(spec.shape(part, time)?.surface)).collect();
+            let surfaces_at =
+                |time| threads::try_map(parts.iter().collect(), |part| Ok(spec.shape(part, time)?.surface));
             seams::measure(&spec, &parts.iter().collect::<Vec<_>>(), &times, surfaces_at)?
         }
         None => Default::default(),
     };
     let open = if open.is_empty() { None } else { Some(Failure::found(&spec.source, open)) };
     Ok((reports, net_reports, copies, seams, open))
+}
+
+/// A patch at one instant.
+struct Measured {
+    solved: Solved,
+    joins: Vec<JoinDeviation>,
+    apexes: Vec<ApexDeviation>,
+}
+
+fn measure(spec: &Spec, patched: &Patched, time: f64) -> Result<Measured, Failure> {
+    let solved = spec.solve(patched, time)?;
+    let (patch, surface) = (patched.prepared.patch(), &*solved.solution.surface);
+    let at = (&spec.bindings, &patched.prepared.domain, time);
+    let fault = |finding| spec.fault(finding);
+    let joins = verify_joins(&spec.problem, patch, surface, at, &spec.limits).map_err(fault)?;
+    let apexes = verify_apexes(&spec.problem, patch, surface, at).map_err(fault)?;
+    Ok(Measured { solved, joins, apexes })
 }
 
 /// Those sides that are points at all instants so far, each at its worst.

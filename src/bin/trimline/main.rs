@@ -115,27 +115,31 @@ fn arguments() -> Arguments {
 fn main() -> ExitCode {
     let arguments = arguments();
     let terminal = arguments.terminal;
-    let result = match arguments.command {
-        Command::Check(arguments) => check::run(&arguments, &terminal),
-        Command::Basis(arguments) => basis::run(&arguments, &terminal),
-        Command::Solve(arguments) => solve::run(&arguments, &terminal),
-        Command::Eval(arguments) => eval::run(&arguments, &terminal),
-        Command::Fmt(arguments) => fmt::run(&arguments, &terminal),
-        Command::Mesh(arguments) => mesh::run(&arguments, &terminal),
-        Command::Render(arguments) => render::run(&arguments, &terminal),
-        Command::Morph(arguments) => morph::run(&arguments, &terminal),
-        Command::Fit(arguments) => fit::run(arguments, &terminal),
-        Command::Emit(arguments) => emit::run(&arguments, &terminal),
-        Command::Bench(arguments) => bench::run(&arguments, &terminal),
-        #[cfg(feature = "view")]
-        Command::View(arguments) => view::run(arguments, &terminal),
-    };
+    let result = terminal.share_work().and_then(|()| run(arguments.command, &terminal));
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             failure.print(&terminal);
             failure.status()
         }
+    }
+}
+
+fn run(command: Command, terminal: &Terminal) -> Outcome {
+    match command {
+        Command::Check(arguments) => check::run(&arguments, terminal),
+        Command::Basis(arguments) => basis::run(&arguments, terminal),
+        Command::Solve(arguments) => solve::run(&arguments, terminal),
+        Command::Eval(arguments) => eval::run(&arguments, terminal),
+        Command::Fmt(arguments) => fmt::run(&arguments, terminal),
+        Command::Mesh(arguments) => mesh::run(&arguments, terminal),
+        Command::Render(arguments) => render::run(&arguments, terminal),
+        Command::Morph(arguments) => morph::run(&arguments, terminal),
+        Command::Fit(arguments) => fit::run(arguments, terminal),
+        Command::Emit(arguments) => emit::run(&arguments, terminal),
+        Command::Bench(arguments) => bench::run(&arguments, terminal),
+        #[cfg(feature = "view")]
+        Command::View(arguments) => view::run(arguments, terminal),
     }
 }
 

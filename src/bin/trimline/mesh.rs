@@ -12,7 +12,7 @@ use crate::Outcome;
 use crate::failure::{Failure, Said, print_warnings, say};
 use crate::options::Terminal;
 use crate::output::{Files, by_extension};
-use crate::scenes::{Meshing, Progress, Quantity, Scenes};
+use crate::scenes::{Meshing, Progress, Quantity, Scenes, Seen, news};
 
 #[derive(Args)]
 pub struct Arguments {
@@ -94,10 +94,10 @@ fn file_each(
     let mut series = Series::new(&arguments.output, format, is_numbered);
     let mut last = Scene::default();
     let (mut said, mut said_of_files) = (Vec::new(), Said::default());
-    for &time in times {
-        let (scene, warnings) = scenes.at(time, &mut said)?;
+    for seen in scenes.groups(times).flatten() {
+        let Seen { scene, warnings } = seen?;
         let notes = series.add(&scene)?;
-        print_warnings(&warnings, &scenes.spec.source, terminal);
+        print_warnings(&news(&mut said, warnings), &scenes.spec.source, terminal);
         print_warnings(&said_of_files.news(notes), &scenes.spec.source, terminal);
         last = scene;
         progress.advance();

@@ -5,6 +5,7 @@ use clap::{Args, ValueEnum};
 use trimline::diagnostic::{Diagnostic, Source};
 use trimline::limits::Limits;
 use trimline::method::{METHODS, Settings};
+use trimline::threads::{self, ThreadsError};
 
 use crate::failure::Failure;
 
@@ -18,6 +19,21 @@ pub struct Terminal {
     /// No warnings, progress or summaries.
     #[arg(long, short, global = true)]
     pub quiet: bool,
+
+    /// Threads that share the work [default: one for each core]; results do not depend on it.
+    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+}
+
+impl Terminal {
+    /// Lets this process have as many threads as the user asked for.
+    pub fn share_work(&self) -> Result<(), Failure> {
+        let Some(count) = self.threads else { return Ok(()) };
+        threads::set_default(usize::from(count)).map_err(|error| match error {
+            ThreadsError::OneOnly(_) => Failure::Usage(format!("--threads {count}: {error}")),
+            ThreadsError::Refused { .. } => Failure::Machine(error.to_string()),
+        })
+    }
 }
 
 /// When to use colours.

@@ -10,6 +10,7 @@ use trimline::method::Options;
 use trimline::net::{NetSolver, SolvedNet};
 use trimline::problem::{DomainValues, Net, PatchCopy};
 use trimline::surface::{BsplineSurface, CompiledPlacement, PlacedSurface, Surface};
+use trimline::threads;
 
 use crate::failure::Failure;
 use crate::options::{Solving, option_finding};
@@ -109,10 +110,8 @@ pub struct Shape {
 impl Spec {
     /// Everything the user asked for, compiled: patches, then nets, then copies.
     pub fn parts(&self, solving: &Solving, points: Option<&str>) -> Result<Vec<Part>, Failure> {
-        let mut parts = Vec::with_capacity(self.patches.len() + self.nets.len());
-        for patch in &self.patches {
-            parts.push(Part::Patch(Arc::new(self.prepare(patch, solving, points)?)));
-        }
+        let prepare = |patch| self.prepare(patch, solving, points).map(|patched| Part::Patch(Arc::new(patched)));
+        let mut parts = threads::try_map(self.patches.iter().collect(), prepare)?;
         for net in &self.nets {
             parts.push(Part::Net(Arc::new(self.prepare_net(net, solving, points)?)));
         }

@@ -6,9 +6,10 @@ use std::time::{Duration, Instant};
 use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-use trimline::diagnostic::{Code, Diagnostic};
+use trimline::diagnostic::{Code, Diagnostic, Diagnostics};
 use trimline::surface::{Surface, SymbolicSurface};
 use trimline::tessellate::{Field, Grid, Mesh, Role, Scene, curvatures, instants, tessellate};
+use trimline::threads;
 use trimline::verify::residuals;
 
 use crate::failure::{Failure, Said, print_warnings};
@@ -77,31 +78,35 @@ impl Scenes {
         }
     }
 
-    /// What is to be seen at one instant, and what is to be said about it that was not said of earlier ones.
-    pub fn at(&self, time: f64, said: &mut Vec<Said>) -> Result<(Scene, Vec<Diagnostic>), Failure> {
-        let mut scene = Scene { meshes: Vec::new(), time };
-        let mut warnings = Vec::new();
-        said.resize_with(self.parts.len(), Said::default);
-        for (part, said) in self.parts.iter().zip(said) {
-            let shape = self.spec.shape(part, time)?;
-            let ranges = (part.domain().u, part.domain().v);
-            let (mut mesh, notes) = tessellate(part.name(), &*shape.surface, ranges, time, self.grid)
-                .map_err(|finding| self.spec.fault(finding))?;
-            mesh.fields = self.fields(part, &*shape.surface, &mesh, time)?;
-            if let Part::Copy(copied) = part {
-                let is_reflection = copied.placement.is_reflection(self.spec.bindings.as_slice(), time);
-                if is_reflection.map_err(|finding| self.spec.fault(finding))? {
-                    mesh = mesh.turned();
-                }
-            }
-            scene.meshes.push(mesh);
-            warnings.extend(said.news(shape.warnings));
-            warnings.extend(said.news(notes));
-        }
+    /// What is to be seen at one instant, and what there is to say about each part.
+    pub fn at(&self, time: f64) -> Result<Seen, Failure> {
+        let meshes = threads::try_map(self.parts.iter().collect(), |part| self.mesh(part, time))?;
+        let (meshes, warnings) = meshes.into_iter().unzip();
+        let mut scene = Scene { meshes, time };
         if self.with_surfaces {
             self.add_surfaces(&mut scene)?;
         }
-        Ok((scene, warnings))
+        Ok(Seen { scene, warnings })
+    }
+
+    fn mesh(&self, part: &Part, time: f64) -> Result<(Mesh, Diagnostics), Failure> {
+        let shape = self.spec.shape(part, time)?;
+        let ranges = (part.domain().u, part.domain().v);
+        let (mut mesh, notes) = tessellate(part.name(), &*shape.surface, ranges, time, self.grid)
+            .map_err(|finding| self.spec.fault(finding))?;
+        mesh.fields = self.fields(part, &*shape.surface, &mesh, time)?;
+        if let Part::Copy(copied) = part {
+            let is_reflection = copied.placement.is_reflection(self.spec.bindings.as_slice(), time);
+            if is_reflection.map_err(|finding| self.spec.fault(finding))? {
+                mesh = mesh.turned();
+            }
+        }
+        Ok((mesh, shape.warnings.into_iter().chain(notes).collect()))
+    }
+
+    /// As many scenes at once as there are threads: `times` in groups of that many.
+    pub fn groups<'a>(&'a self, times: &'a [f64]) -> impl Iterator<Item = Vec<Result<Seen, Failure>>> + 'a {
+        times.chunks(threads::count()).map(move |times| threads::map(times.to_vec(), |time| self.at(time)))
     }
 
     /// Adds the primary surfaces over their stated ranges; over those of the first patch where none is stated.
@@ -149,12 +154,12 @@ impl Scenes {
     fn frames(&self, times: &[f64], said: &mut Vec<Said>, terminal: &Terminal) -> Result<Vec<Scene>, Failure> {
         let progress = Progress::new(times.len(), terminal);
         let mut frames = Vec::with_capacity(times.len());
-        for &time in times {
-            let (scene, warnings) = self.at(time, said)?;
+        for seen in self.groups(times).flatten() {
+            let Seen { scene, warnings } = seen?;
             if frames.is_empty() {
                 self.check_size(&scene, times.len())?;
             }
-            print_warnings(&warnings, &self.spec.source, terminal);
+            print_warnings(&news(said, warnings), &self.spec.source, terminal);
             frames.push(scene);
             progress.advance();
         }
@@ -208,6 +213,19 @@ impl Scenes {
         }
         Ok(fields)
     }
+}
+
+/// What is to be seen at one instant.
+pub struct Seen {
+    pub scene: Scene,
+    /// What there is to say about each part.
+    pub warnings: Vec<Diagnostics>,
+}
+
+/// What was not said of the same parts at earlier instants.
+pub fn news(said: &mut Vec<Said>, warnings: Vec<Diagnostics>) -> Diagnostics {
+    said.resize_with(warnings.len(), Said::default);
+    said.iter_mut().zip(warnings).flat_map(|(said, warnings)| said.news(warnings)).collect()
 }
 
 /// A bar on work longer than a second, on a terminal only.

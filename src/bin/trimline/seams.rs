@@ -8,6 +8,7 @@ use trimline::diagnostic::{Code, Diagnostic, Shortest};
 use trimline::expr::Variable;
 use trimline::problem::{DomainValues, Seam, SeamEdge, SidePart};
 use trimline::surface::Surface;
+use trimline::threads;
 use trimline::verify::{Curve, Edge, Line, Parts, SeamDeviation, common_part};
 
 use crate::failure::Failure;
@@ -112,7 +113,7 @@ fn shown(value: f64) -> f64 {
 
 /// Measures the seams at `times`, at which `surfaces_at` gives those of all patches, and says which of the stated ones
 /// are open, or not smooth where they should be.
-pub fn measure<P: Located>(
+pub fn measure<P: Located + Sync>(
     spec: &Spec,
     parts: &[&P],
     times: &[f64],
@@ -129,12 +130,12 @@ pub fn measure<P: Located>(
             Edge::sample(&**surface, place.line(part.domain()), time).map_err(|finding| spec.fault(finding))
         };
         // Each edge once, however many pairs it is in.
-        let mut edges: Vec<Option<Edge>> = vec![None; places.len()];
+        let mut is_wanted = vec![false; places.len()];
         for index in pairs.iter().flat_map(|pair| pair.between) {
-            if let (Some(slot @ None), Some(place)) = (edges.get_mut(index), places.get(index)) {
-                *slot = Some(sample(place)?);
-            }
+            is_wanted.get_mut(index).into_iter().for_each(|wanted| *wanted = true);
         }
+        let wanted = places.iter().zip(is_wanted).collect();
+        let mut edges = threads::try_map(wanted, |(place, is_wanted)| is_wanted.then(|| sample(place)).transpose())?;
         size = edges.iter().flatten().fold(size, |most, edge| most.max(edge.extent()));
         if step == 0 {
             let curve = |index: usize| {

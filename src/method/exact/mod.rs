@@ -103,7 +103,7 @@ impl Method for Exact {
             entry_values: interpreted(&entries),
             force_values: interpreted(&forces),
             constant_values: interpreted(&constants),
-            basis: Arc::new(Basis::new(graph.clone(), functions, options.backend, &options.limits)),
+            basis: Arc::new(Basis::new(&graph, &functions, options.backend, &options.limits)),
             system,
         }))
     }
@@ -222,6 +222,10 @@ impl Solver for ExactSolver {
             warnings,
         };
         Ok(Solution { surface: Arc::new(surface), report })
+    }
+
+    fn solves_once(&self) -> bool {
+        true
     }
 }
 

@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::system::System;
 use super::weak_form::{Part, Table};
-use crate::trial::CorrectedTrial;
+use crate::surface::TabulatedModes;
 
 /// Entries that are kept of each kind; models have few equations and few ranges.
 const KEPT: usize = 16;
@@ -18,9 +18,9 @@ pub struct Frame {
     pub terms: [usize; 2],
     pub ranges: [[f64; 2]; 2],
     /// The four cubic Hermite functions and the corrections of each coordinate.
-    pub modes: [Arc<CorrectedTrial>; 2],
+    pub modes: [Arc<TabulatedModes>; 2],
     /// The cubic Hermite functions alone.
-    pub hermite: [Arc<CorrectedTrial>; 2],
+    pub hermite: [Arc<TabulatedModes>; 2],
     /// The nodes of the rule in u and of that in v.
     pub nodes: [Vec<f64>; 2],
     pub tables: [Table; 2],
@@ -49,6 +49,11 @@ impl Equations {
         not_elliptic: Option<usize>,
     ) -> Equations {
         Equations { frame: Arc::clone(frame), shape: shape.to_vec(), coefficients, systems, not_elliptic }
+    }
+
+    /// The coefficients at the nodes, by part and component.
+    pub fn coefficients(&self) -> &[[Vec<f64>; 3]] {
+        &self.coefficients
     }
 
     /// Whether these are the equations of such a weak form. Expressions may differ: their values decide.
@@ -102,6 +107,10 @@ fn recall<T, E>(
     }
     let made = Arc::new(make()?);
     let mut kept = lock();
+    // Another thread may have made it meanwhile: all share one.
+    if let Some(known) = kept.iter().find(|known| is_it(known)) {
+        return Ok(Arc::clone(known));
+    }
     if kept.len() >= KEPT {
         kept.remove(0);
     }

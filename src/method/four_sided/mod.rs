@@ -23,7 +23,7 @@ use crate::problem::{Patch, describe};
 use crate::surface::Basis;
 
 pub use known::Known;
-use solver::FourSidedSolver;
+use solver::{Field, FourSidedSolver};
 use weak_form::weak_form;
 
 /// The method `four_sided`.
@@ -83,45 +83,56 @@ impl Method for FourSided {
         let terms = terms(options)?;
         let limits = &options.limits;
         let patch = &decomposition.patch;
-        let mut graph = decomposition.graph.clone();
-        let parts = weak_form(&mut graph, &patch.operator, limits)?;
-        let orders_in_t = patch.operator.order_in_t();
-        let mut outputs: Vec<ExprId> = parts.iter().flat_map(|part| part.coefficient).collect();
+        // Derivatives are made on the equation's part of the graph, which is small.
+        let (mut graph, operator) = patch.operator.part(&decomposition.graph);
+        let parts = weak_form(&mut graph, &operator, limits)?;
+        let orders_in_t = operator.order_in_t();
+        let coefficients: Vec<ExprId> = parts.iter().flat_map(|part| part.coefficient).collect();
+        let mut force = Vec::with_capacity(3 * (orders_in_t + 1));
         for order in 0..=orders_in_t {
-            for component in patch.operator.force {
+            for component in operator.force {
                 let in_time = Derivative::new(0, 0, order);
-                outputs.push(bounded_derivative(&mut graph, component, in_time, limits, patch.operator.origin)?);
+                force.push(bounded_derivative(&mut graph, component, in_time, limits, operator.origin)?);
             }
         }
+        let moves = |graph: &Graph, exprs: &[ExprId]| exprs.iter().any(|expr| graph.dependence(*expr).t);
         let (at_u, at_v) = data(patch);
-        let data = at_u.iter().chain(&at_v).map(|(expr, _)| *expr);
-        let varies_in_time = outputs.iter().copied().chain(data).any(|expr| graph.dependence(expr).t);
+        let data: Vec<ExprId> = at_u.iter().chain(&at_v).map(|(expr, _)| *expr).collect();
+        let varies_in_time =
+            moves(&graph, &coefficients) || moves(&graph, &force) || moves(&decomposition.graph, &data);
         // Data are curves, and coefficients are needed at the nodes of one quadrature: interpreting is done before
         // compiling would be.
         let backend = if options.backend == Backend::Auto { Backend::Interpreter } else { options.backend };
-        let (values, note) = compile(Program::compile(&graph, &outputs), backend);
+        let field = |exprs: &[ExprId]| {
+            let varies = exprs.iter().map(|expr| graph.dependence(*expr)).any(|depends| depends.u || depends.v);
+            let (values, note) = compile(Program::compile(&graph, exprs), backend);
+            (Field { values, varies }, note)
+        };
+        let ((coefficients, note), (force, _)) = (field(&coefficients), field(&force));
+        let graph = &decomposition.graph;
         let positions: Vec<ExprId> = patch
             .conditions
             .iter()
             .map(|condition| condition.u)
             .chain(patch.side_conditions.iter().map(|condition| condition.v))
             .collect();
-        let (positions, _) = compile(Program::compile(&graph, &positions), backend);
-        Ok(Box::new(FourSidedSolver {
+        let (positions, _) = compile(Program::compile(graph, &positions), backend);
+        Ok(Box::new(Arc::new(FourSidedSolver {
             terms,
             is_vector: parts.iter().any(|part| matches!(part.coefficient, [x, y, z] if x != y || x != z)),
             parts,
             orders_in_t,
             varies_in_time,
-            values,
+            coefficients,
+            force,
             positions,
-            at_u: Arc::new(Basis::new(graph.clone(), at_u, backend, limits)),
-            at_v: Arc::new(Basis::new(graph, at_v, backend, limits).in_u()),
+            at_u: Arc::new(Basis::new(graph, &at_u, backend, limits)),
+            at_v: Arc::new(Basis::new(graph, &at_v, backend, limits).in_u()),
             boundary: patch.boundary_origin(),
             equation: patch.operator.origin,
             note,
             known: options.known.clone(),
-        }))
+        })))
     }
 }
 

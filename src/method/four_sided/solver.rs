@@ -13,8 +13,8 @@ use crate::eval::{Evaluator, Samples};
 use crate::expr::Derivative;
 use crate::method::{Method, Report, Solution, Solver};
 use crate::numeric::gauss_rule;
-use crate::surface::{Basis, Coefficients, CoonsSurface, Sides, Surface};
-use crate::trial::{CorrectedTrial, IntegratedLegendre, Modes};
+use crate::surface::{Basis, Coefficients, CoonsSurface, Corrections, Sides, Surface, TabulatedModes};
+use crate::trial::{CorrectedTrial, IntegratedLegendre};
 
 /// A compiled problem.
 pub struct FourSidedSolver {
@@ -27,8 +27,10 @@ pub struct FourSidedSolver {
     pub varies_in_time: bool,
     /// Whether the three components have different coefficients.
     pub is_vector: bool,
-    /// Coefficients by part and component, then the force by order in t and component.
-    pub values: Arc<dyn Evaluator>,
+    /// Coefficients by part and component.
+    pub coefficients: Field,
+    /// The force by order in t and component.
+    pub force: Field,
     /// Where the conditions stand: four in u, four in v.
     pub positions: Arc<dyn Evaluator>,
     /// The data at fixed u.
@@ -44,6 +46,13 @@ pub struct FourSidedSolver {
     pub known: Known,
 }
 
+/// Vectors of functions of u, v and t.
+pub struct Field {
+    pub values: Arc<dyn Evaluator>,
+    /// Whether any depends on u or v: if not, one point has their values everywhere.
+    pub varies: bool,
+}
+
 /// Where the last terms move the surface by more than this share of its size, the series has not settled.
 const SETTLED: f64 = 1e-3;
 /// Amplifications below this are not mentioned; to the next a note, then a warning; above the last, there is no solution.
@@ -53,26 +62,26 @@ const RESONANT: f64 = 1e10;
 /// Directions in which the symbol of the equation is looked at.
 const DIRECTIONS: usize = 64;
 
-/// Values at all nodes of a frame, u-major, of the three components.
+/// Values of the three components at all nodes of a frame, u-major, or one for all of them.
 type Sampled = [Vec<f64>; 3];
 
-impl Solver for FourSidedSolver {
+/// A value at a node.
+fn at(values: &[f64], node: usize) -> f64 {
+    match values {
+        [all] => *all,
+        values => values.get(node).copied().unwrap_or(f64::NAN),
+    }
+}
+
+impl Solver for Arc<FourSidedSolver> {
     fn solve(&self, params: &[f64], ranges: [[f64; 2]; 2], t: f64) -> Result<Solution, Diagnostic> {
         self.check_positions(params, ranges)?;
         let sides = Arc::new(Sides { ranges, at_u: Arc::clone(&self.at_u), at_v: Arc::clone(&self.at_v) });
         let frame = self.known.frame(self.terms, ranges, || self.frame(ranges))?;
-        let (coefficients, force) = self.sampled(&frame, params, t)?;
+        let coefficients = self.sampled(&self.coefficients, &frame, params, t)?;
         let mut report = self.empty_report();
         let size = self.data_size(&frame, params, t)?;
         let is_twisted = self.check_corners(&sides, params, size, t, &mut report)?;
-        let mut surface = CoonsSurface {
-            sides,
-            modes: frame.hermite.clone().map(|modes| -> Arc<dyn Modes> { modes }),
-            params: params.to_vec(),
-            is_twisted,
-            corrections: Vec::new(),
-            instant: None,
-        };
         report.warnings.extend(self.apexes(params, ranges, size, t)?);
         let equations = self.known.equations(&frame, (&self.parts, &coefficients), || {
             let systems = self.systems(&frame, &coefficients)?;
@@ -80,31 +89,87 @@ impl Solver for FourSidedSolver {
             Ok(Equations::new(&frame, (&self.parts, coefficients.clone()), systems, not_elliptic))
         })?;
         self.describe(&equations, &mut report);
-        let [in_u, in_v] = self.terms;
-        let mut corrections: Vec<Coefficients> = vec![vec![[0.0; 3]; in_u * in_v]; force.len()];
-        let rights = self.rights(&frame, (&coefficients, &force), &surface, t)?;
+        let without = (Corrections::default(), None);
+        let coons = CoonsSurface::new(Arc::clone(&sides), frame.hermite.clone(), params, is_twisted, without);
+        let (solver, modes, params) = (Arc::clone(self), frame.modes.clone(), params.to_vec());
+        let here = Instant { solver, frame, equations, coons, params: params.clone(), t };
+        let first = here.corrections(0)?;
+        report.warnings.extend(self.settling(&here.frame, &first, size));
+        let further = if self.varies_in_time { self.orders_in_t } else { 0 };
+        // Velocities and accelerations are rarely asked for, and each is as much work as the surface.
+        let corrections = Corrections::new(first, further, Box::new(move |order| here.corrections(order)));
+        let instant = self.varies_in_time.then_some(t);
+        let surface = CoonsSurface::new(sides, modes, &params, is_twisted, (corrections, instant));
+        Ok(Solution { surface: Arc::new(surface), report })
+    }
+
+    fn solves_once(&self) -> bool {
+        !self.varies_in_time
+    }
+}
+
+/// The weak equations of one instant.
+struct Instant {
+    solver: Arc<FourSidedSolver>,
+    frame: Arc<Frame>,
+    equations: Arc<Equations>,
+    /// What meets the data, without corrections.
+    coons: CoonsSurface,
+    params: Vec<f64>,
+    t: f64,
+}
+
+impl Instant {
+    /// The derivative of order `order` in t of the corrections.
+    fn corrections(&self, order: usize) -> Result<Coefficients, Diagnostic> {
+        let Instant { solver, frame, equations, params, t, .. } = self;
+        let unknowns = solver.terms.iter().product();
+        let force = solver.sampled(&solver.force, frame, params, *t)?;
+        let force = force.get(order).cloned().unwrap_or_default();
+        let rights = self.rights(order, &force)?;
+        let mut corrections: Coefficients = vec![[0.0; 3]; unknowns];
         for (index, system) in equations.systems.iter().enumerate() {
-            let components = if self.is_vector { index..index + 1 } else { 0..3 };
+            let components = if solver.is_vector { index..index + 1 } else { 0..3 };
             for component in components {
-                for (level, right) in corrections.iter_mut().zip(&rights) {
-                    let Some(right) = right.get(component) else { continue };
-                    for (slot, value) in level.iter_mut().zip(system.solve(right).iter()) {
-                        if let Some(slot) = slot.get_mut(component) {
-                            *slot = *value;
-                        }
+                let Some(right) = rights.get(component) else { continue };
+                for (slot, value) in corrections.iter_mut().zip(system.solve(right).iter()) {
+                    if let Some(slot) = slot.get_mut(component) {
+                        *slot = *value;
                     }
                 }
             }
         }
-        if corrections.iter().flatten().flatten().any(|value| !value.is_finite()) {
-            let message = "the corrections of the four-sided patch are not finite";
-            return Err(Diagnostic::new(Code::SolutionNotFinite, message).at(self.equation));
+        if corrections.iter().flatten().all(|value| value.is_finite()) {
+            return Ok(corrections);
         }
-        report.warnings.extend(self.settling(&frame, corrections.first(), size));
-        surface.modes = frame.modes.clone().map(|modes| -> Arc<dyn Modes> { modes });
-        surface.corrections = corrections;
-        surface.instant = self.varies_in_time.then_some(t);
-        Ok(Solution { surface: Arc::new(surface), report })
+        let message = "the corrections of the four-sided patch are not finite";
+        Err(Diagnostic::new(Code::SolutionNotFinite, message).at(solver.equation))
+    }
+
+    /// The right-hand sides, differentiated `order` times in t, by component.
+    fn rights(&self, order: usize, force: &Sampled) -> Result<[DMatrix<f64>; 3], Diagnostic> {
+        let Frame { nodes: [u, v], tables: [table_u, table_v], .. } = &*self.frame;
+        let (tables, unknowns) = ([table_u, table_v], self.solver.terms.iter().product());
+        let mut rights = [(); 3].map(|()| DMatrix::zeros(unknowns, 1));
+        let acting = rights.iter_mut().zip(force).filter(|(_, force)| force.iter().any(|value| *value != 0.0));
+        for (right, force) in acting {
+            add_vector(right, [0, 0], tables, |node| at(force, node));
+        }
+        let mut values = vec![[0.0; 3]; u.len() * v.len()];
+        for (part, coefficients) in self.solver.parts.iter().zip(self.equations.coefficients()) {
+            // Where the equation does not take a derivative, it need not exist.
+            if coefficients.iter().flatten().all(|factor| *factor == 0.0) {
+                continue;
+            }
+            let derivative = Derivative { t: part.of_surface.t + order, ..part.of_surface };
+            self.coons.evaluate_grid(derivative, (u, v, self.t), &mut values)?;
+            for (component, (right, factors)) in rights.iter_mut().zip(coefficients).enumerate() {
+                let value = |node: usize| values.get(node).and_then(|value| value.get(component)).copied();
+                let product = |node: usize| -at(factors, node) * value(node).unwrap_or(f64::NAN);
+                add_vector(right, part.of_test, tables, product);
+            }
+        }
+        Ok(rights)
     }
 }
 
@@ -122,12 +187,13 @@ impl FourSidedSolver {
     }
 
     /// The four cubic Hermite functions of each coordinate, and as many corrections as `terms`.
-    fn modes(&self, terms: [usize; 2], ranges: [[f64; 2]; 2]) -> Result<[Arc<CorrectedTrial>; 2], Diagnostic> {
+    fn modes(&self, terms: [usize; 2], ranges: [[f64; 2]; 2]) -> Result<[Arc<TabulatedModes>; 2], Diagnostic> {
         let of = |count: usize, range: [f64; 2]| {
             let [low, high] = range;
             let functionals: Vec<(f64, usize)> = [low, low, high, high].into_iter().zip(ORDERS).collect();
             let family = Arc::new(IntegratedLegendre::new(ORDER, count));
-            CorrectedTrial::new(family, count, range, &functionals).map(Arc::new).ok_or_else(|| {
+            let modes = CorrectedTrial::new(family, count, range, &functionals);
+            modes.map(TabulatedModes::new).map(Arc::new).ok_or_else(|| {
                 let (low, high) = (Shortest(low), Shortest(high));
                 let message = format!("position and tangent at {low} and {high} do not determine a cubic");
                 Diagnostic::new(Code::DependentConstraints, message).at(self.boundary)
@@ -159,21 +225,21 @@ impl FourSidedSolver {
         Ok(Frame { terms: self.terms, ranges, modes, hermite, nodes: [u, v], tables, all })
     }
 
-    /// At the nodes, the coefficients of the weak form by part, and the force by order in t.
-    fn sampled(&self, frame: &Frame, params: &[f64], t: f64) -> Result<(Vec<Sampled>, Vec<Sampled>), Diagnostic> {
-        let [all_u, all_v] = &frame.all;
-        let values = evaluate(&*self.values, params, (all_u, all_v), t)?;
+    /// The vectors of `field` at the nodes.
+    fn sampled(&self, field: &Field, frame: &Frame, params: &[f64], t: f64) -> Result<Vec<Sampled>, Diagnostic> {
+        let [u, v] = &frame.all;
+        let count = if field.varies { u.len() } else { 1 };
+        let (u, v) = (u.get(..count).unwrap_or_default(), v.get(..count).unwrap_or_default());
+        let values = evaluate(&*field.values, params, (u, v), t)?;
         if values.iter().any(|value| !value.is_finite()) {
             let message = "a coefficient or the force of the equation is not finite inside the patch";
             return Err(Diagnostic::new(Code::DataNotFinite, message).at(self.equation));
         }
-        let mut vectors = values.chunks(3 * all_u.len()).map(|vector| {
-            let mut components = vector.chunks(all_u.len()).map(<[f64]>::to_vec);
+        let vectors = values.chunks(3 * count).map(|vector| {
+            let mut components = vector.chunks(count).map(<[f64]>::to_vec);
             [(); 3].map(|()| components.next().unwrap_or_default())
         });
-        let levels = if self.varies_in_time { self.orders_in_t + 1 } else { 1 };
-        let coefficients = vectors.by_ref().take(self.parts.len()).collect();
-        Ok((coefficients, vectors.take(levels).collect()))
+        Ok(vectors.collect())
     }
 
     /// The largest position or tangent on the sides, tangents times the range they belong to.
@@ -212,8 +278,8 @@ impl FourSidedSolver {
         (0..3).find(|component| {
             let mut before: Vec<f64> = Vec::new();
             (0..frame.all[0].len()).any(|point| {
-                let at = |all: &Sampled| all.get(*component).and_then(|values| values.get(point)).copied();
-                let here: Vec<f64> = leading().map(|(_, all)| at(all).unwrap_or(f64::NAN)).collect();
+                let value = |all: &Sampled| all.get(*component).map_or(f64::NAN, |values| at(values, point));
+                let here: Vec<f64> = leading().map(|(_, all)| value(all)).collect();
                 // Coefficients are the same almost everywhere.
                 if here == before {
                     return false;
@@ -237,40 +303,6 @@ impl FourSidedSolver {
             .hint("β and λ of one sign, and γ above -2 sqrt(βλ), make the standard equation elliptic")
     }
 
-    /// The right-hand sides by derivative in t and component.
-    fn rights(
-        &self,
-        frame: &Frame,
-        (coefficients, force): (&[Sampled], &[Sampled]),
-        coons: &CoonsSurface,
-        t: f64,
-    ) -> Result<Vec<[DMatrix<f64>; 3]>, Diagnostic> {
-        let [u, v] = &frame.nodes;
-        let [table_u, table_v] = &frame.tables;
-        let tables = [table_u, table_v];
-        let unknowns = self.terms.iter().product();
-        let mut all = Vec::with_capacity(force.len());
-        for (order, force) in force.iter().enumerate() {
-            let mut rights = [(); 3].map(|()| DMatrix::zeros(unknowns, 1));
-            for (right, force) in rights.iter_mut().zip(force) {
-                add_vector(right, [0, 0], tables, force);
-            }
-            let mut values = vec![[0.0; 3]; u.len() * v.len()];
-            for (part, coefficients) in self.parts.iter().zip(coefficients) {
-                let derivative = Derivative { t: part.of_surface.t + order, ..part.of_surface };
-                coons.evaluate_grid(derivative, (u, v, t), &mut values)?;
-                for (component, (right, factors)) in rights.iter_mut().zip(coefficients).enumerate() {
-                    let at = |value: &[f64; 3]| value.get(component).copied().unwrap_or(f64::NAN);
-                    let products: Vec<f64> =
-                        factors.iter().zip(&values).map(|(factor, value)| -factor * at(value)).collect();
-                    add_vector(right, part.of_test, tables, &products);
-                }
-            }
-            all.push(rights);
-        }
-        Ok(all)
-    }
-
     /// The factorised equations of each component, or of all of them.
     fn systems(&self, frame: &Frame, coefficients: &[Sampled]) -> Result<Vec<System>, Diagnostic> {
         let count = if self.is_vector { 3 } else { 1 };
@@ -287,7 +319,7 @@ impl FourSidedSolver {
         for (part, coefficients) in parts {
             let total = if part.order() == ORDER { &mut matrix } else { &mut lower };
             if let Some(coefficient) = coefficients.get(component) {
-                add_matrix(total, part, [table_u, table_v], coefficient);
+                add_matrix(total, part, [table_u, table_v], |node| at(coefficient, node));
             }
         }
         System::new(matrix, &lower).filter(|system| system.amplification <= RESONANT).ok_or_else(|| {
@@ -319,14 +351,14 @@ impl FourSidedSolver {
     }
 
     /// A warning where the last two terms in u or in v still move the surface.
-    fn settling(&self, frame: &Frame, corrections: Option<&Coefficients>, size: f64) -> Option<Diagnostic> {
+    fn settling(&self, frame: &Frame, corrections: &Coefficients, size: f64) -> Option<Diagnostic> {
         let [in_u, in_v] = self.terms;
         let [table_u, table_v] = &frame.tables;
         let (values_u, values_v) = (table_u.values.first()?, table_v.values.first()?);
         let mut moved = 0.0_f64;
         for component in 0..3 {
             let last = DMatrix::from_fn(in_u, in_v, |m, n| {
-                let vector = corrections.and_then(|all| all.get(m * in_v + n));
+                let vector = corrections.get(m * in_v + n);
                 let value = vector.and_then(|vector| vector.get(component)).copied().unwrap_or(f64::NAN);
                 if m + 2 >= in_u || n + 2 >= in_v { value } else { 0.0 }
             });

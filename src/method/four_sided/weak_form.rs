@@ -94,16 +94,20 @@ impl Table {
     }
 }
 
-/// Adds `∫ c ∂(f_m f_n) ∂(f_k f_l)` to the matrix with rows (k, l) and columns (m, n); `coefficient` at the nodes.
-pub fn add_matrix(total: &mut DMatrix<f64>, part: &Part, [in_u, in_v]: [&Table; 2], coefficient: &[f64]) {
+/// Adds `∫ c ∂(f_m f_n) ∂(f_k f_l)` to the matrix with rows (k, l) and columns (m, n); `coefficient` is c at a node.
+pub fn add_matrix(
+    total: &mut DMatrix<f64>,
+    part: &Part,
+    [in_u, in_v]: [&Table; 2],
+    coefficient: impl Fn(usize) -> f64,
+) {
     let orders = [part.of_surface.u, part.of_surface.v, part.of_test[0], part.of_test[1]];
     let tables = [in_u.order(orders[0]), in_v.order(orders[1]), in_u.order(orders[2]), in_v.order(orders[3])];
     let [Some(trial_u), Some(trial_v), Some(test_u), Some(test_v)] = tables else { return };
-    for (i, factors) in coefficient.chunks(in_v.weights.len().max(1)).enumerate() {
-        let weight = in_u.weights.get(i).copied().unwrap_or(f64::NAN);
+    for (i, weight) in in_u.weights.iter().enumerate() {
         let mut weighted = trial_v.clone();
-        for ((mut row, factor), in_v) in weighted.row_iter_mut().zip(factors).zip(&in_v.weights) {
-            row *= weight * factor * in_v;
+        for (j, (mut row, in_v)) in weighted.row_iter_mut().zip(&in_v.weights).enumerate() {
+            row *= weight * coefficient(i * trial_v.nrows() + j) * in_v;
         }
         let along = test_v.transpose() * weighted;
         let across = test_u.row(i).transpose() * trial_u.row(i);
@@ -111,16 +115,21 @@ pub fn add_matrix(total: &mut DMatrix<f64>, part: &Part, [in_u, in_v]: [&Table; 
     }
 }
 
-/// Adds `∫ c g ∂(f_k f_l)` to the vector over (k, l), l running faster; `products` are c g at the nodes, u-major.
-pub fn add_vector(total: &mut DMatrix<f64>, of_test: [usize; 2], [in_u, in_v]: [&Table; 2], products: &[f64]) {
+/// Adds `∫ c g ∂(f_k f_l)` to the vector over (k, l), l running faster; `product` is c g at a node, u-major.
+pub fn add_vector(
+    total: &mut DMatrix<f64>,
+    of_test: [usize; 2],
+    [in_u, in_v]: [&Table; 2],
+    product: impl Fn(usize) -> f64,
+) {
     let [Some(test_u), Some(test_v)] = [in_u.order(of_test[0]), in_v.order(of_test[1])] else { return };
-    let mut weighted = DMatrix::from_row_slice(in_u.weights.len(), in_v.weights.len(), products);
-    for (mut row, weight) in weighted.row_iter_mut().zip(&in_u.weights) {
-        row *= *weight;
-    }
-    for (mut column, weight) in weighted.column_iter_mut().zip(&in_v.weights) {
-        column *= *weight;
-    }
+    let (rows, columns) = (in_u.weights.len(), in_v.weights.len());
+    let column = |(j, in_v): (usize, &f64)| {
+        let in_v = *in_v;
+        let product = &product;
+        in_u.weights.iter().enumerate().map(move |(i, in_u)| product(i * columns + j) * in_u * in_v)
+    };
+    let weighted = DMatrix::from_iterator(rows, columns, in_v.weights.iter().enumerate().flat_map(column));
     // Transposed, so that l runs faster in memory.
     let sums = (test_u.transpose() * weighted * test_v).transpose();
     for (total, value) in total.iter_mut().zip(sums.iter()) {

@@ -312,7 +312,7 @@ impl Assembly {
         }
         Ok(SeparableSurface {
             modes: Arc::new(JoinedModes::new(self.parts)),
-            basis: Arc::new(Basis::new(self.graph, self.functions, options.backend, &options.limits)),
+            basis: Arc::new(Basis::new(&self.graph, &self.functions, options.backend, &options.limits)),
             params: params.to_vec(),
             coefficients: vec![coefficients],
             instant,

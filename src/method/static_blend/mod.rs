@@ -128,7 +128,7 @@ impl Method for StaticBlend {
             constant_values: program(&constants).0,
             origins: decomposition.basis.iter().map(|function| function.origin).collect(),
             origin: decomposition.patch.operator.origin,
-            basis: Arc::new(Basis::new(graph.clone(), functions, options.backend, &options.limits)),
+            basis: Arc::new(Basis::new(&graph, &functions, options.backend, &options.limits)),
             note,
         }))
     }

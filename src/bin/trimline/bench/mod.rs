@@ -15,6 +15,7 @@ use clap::Args;
 use serde_json::{Map, Value};
 use trimline::diagnostic::Shortest;
 use trimline::expr::Derivative;
+use trimline::threads;
 
 use crate::Outcome;
 use crate::failure::Failure;
@@ -123,6 +124,12 @@ impl Row {
 }
 
 pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
+    // The limits are those of one core.
+    let measured = threads::with(1, || measure(arguments, terminal));
+    measured.unwrap_or_else(|error| Err(Failure::Machine(error.to_string())))
+}
+
+fn measure(arguments: &Arguments, terminal: &Terminal) -> Outcome {
     let clock = Clock { budget: budget(arguments.seconds)? };
     let (u, v) = read_grid(&arguments.grid)?;
     if u < 2 || v < 2 {

@@ -12,6 +12,7 @@ use trimline::diagnostic::{Code, Diagnostic};
 use trimline::expr::Derivative;
 use trimline::morph::{Frame, Kind, Sequence};
 use trimline::tessellate::{Grid, Scene};
+use trimline::threads;
 
 use crate::Outcome;
 use crate::drawing::{Drawing, is_picture};
@@ -369,7 +370,7 @@ fn scenes(
         let scene = |(index, frame): (usize, &Framed)| {
             shapes.scene(&frame.surfaces, (grid, quantity), frame.epsilon, share(index))
         };
-        frames.iter().enumerate().map(scene).collect()
+        threads::try_map(frames.iter().enumerate().collect(), scene)
     };
     let mut scenes = cut(grid)?;
     let closes = |scene: &Scene| scene.meshes.iter().map(|mesh| mesh.is_closed_in_v).collect::<Vec<_>>();
