@@ -14,7 +14,6 @@ use trimline::kernels::peak;
 use trimline::method::{Options, Settings};
 use trimline::surface::SurfaceOnGrid;
 use trimline::threads;
-use trimline::trial::Modes;
 
 const SPECS: [(&str, &str); 2] =
     [("eq19", include_str!("../examples/eq19.trim")), ("eq29_30", include_str!("../examples/eq29_30.trim"))];

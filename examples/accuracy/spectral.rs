@@ -44,8 +44,8 @@ impl Data {
             })
         });
         let stated = rows.collect();
-        let functions = decomposition.basis.iter().map(|function| (function.expr, function.origin)).collect();
-        let basis = Basis::new(graph.clone(), functions, Backend::Interpreter, &Limits::default());
+        let functions: Vec<_> = decomposition.basis.iter().map(|function| (function.expr, function.origin)).collect();
+        let basis = Basis::new(graph, &functions, Backend::Interpreter, &Limits::default());
         Some(Data { basis, stated, params })
     }
 

@@ -320,5 +320,5 @@ fn not_reached(name: &str, deviation: f64, tolerance: f64) -> Diagnostic {
         "the B-spline of `{name}` deviates by {deviation:.1e} and should by {tolerance:.1e}; more knots do not help"
     );
     Diagnostic::new(Code::ToleranceNotReached, message)
-        .hint("ask for a larger tolerance; where the surface has a corner or a jump, no B-spline comes close")
+        .hint("ask for a larger tolerance; where the surface jumps, no B-spline comes close")
 }

@@ -90,9 +90,8 @@ impl Functions {
     /// # Errors
     /// When parameters are missing.
     pub fn breaks(&self, params: &[f64], range: [f64; 2], t: f64) -> Result<Vec<f64>, Diagnostic> {
-        let guard = self.compiled.lock().unwrap_or_else(PoisonError::into_inner);
         let functions: Vec<ExprId> = self.functions.iter().map(|(function, _)| *function).collect();
-        breaks(&guard.graph, &functions, params, range, t)
+        breaks(&self.graph, &functions, params, range, t)
     }
 
     fn evaluator(&self, derivative: Derivative) -> Result<Arc<dyn Evaluator>, Diagnostic> {

@@ -420,6 +420,11 @@ fn borders_of_deformed_regions_and_knots_of_curves_are_places_a_fit_knows() {
     let apart = apart_within(&*solution.surface, &fit.surface, [[0.31, 0.36], [5.03, 5.45]], 0.0);
     assert!(apart <= 1.1e-4, "{apart:.1e}");
 
+    let corner = "pde ∂⁴S/∂u⁴ = 0\ndomain v in [0, 1]\nat u = 0: S = [0, v, abs(v - 0.3)], ∂S/∂u = [1, 0, 0]\n\
+                  at u = 1: S = [1, v, 0], ∂S/∂u = [1, 0, 0]";
+    let solution = Prepared::new(corner, &[]).solve(0.0);
+    assert_eq!(solution.surface.breaks([[0.0, 1.0]; 2], 0.0).expect("known"), [vec![], vec![0.3]]);
+
     let spline = surface(7, [3, 3], [6, 9]);
     let found = spline.breaks(spline.domain(), 0.0).expect("known");
     let inner = spline.knots().map(|knots| knots.breakpoints()[1..knots.breakpoints().len() - 1].to_vec());
