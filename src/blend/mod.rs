@@ -317,7 +317,8 @@ impl Prepared {
         let (params, ranges) = (bindings.as_slice(), [self.domain.u, self.domain.v]);
         // A panic elsewhere leaves either the one or the other.
         let lock = || self.everlasting.lock().unwrap_or_else(PoisonError::into_inner);
-        let known = lock().as_ref().filter(|(of, over, _)| of == params && *over == ranges).map(|known| known.2.clone());
+        let known =
+            lock().as_ref().filter(|(of, over, _)| of == params && *over == ranges).map(|known| known.2.clone());
         if let Some(solution) = known {
             return Ok(solution);
         }

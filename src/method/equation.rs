@@ -13,7 +13,7 @@ use super::{Options, Size};
 use crate::decompose::{Decomposition, bounded_derivative};
 use crate::diagnostic::{Code, Diagnostic, Shortest, Span};
 use crate::eval::{Backend, Evaluator, Program, Samples, compile};
-use crate::expr::{Derivative, ExprId, Graph};
+use crate::expr::{Derivative, ExprId, Graph, Node};
 use crate::limits::Limits;
 use crate::numeric::nodes;
 use crate::surface::{Basis, Coefficients, SeparableSurface};
@@ -48,6 +48,10 @@ pub struct Equation {
     is_vector: bool,
     origins: Vec<Option<Span>>,
     symbol_values: Arc<dyn Evaluator>,
+    /// As the symbols, over the basis function; zeros where that leaves something that depends on v or t.
+    quotient_values: Arc<dyn Evaluator>,
+    /// Which basis functions the equation only multiplies by functions of u.
+    has_quotients: Vec<bool>,
     boundary_values: Arc<dyn Evaluator>,
 }
 
@@ -81,13 +85,14 @@ impl Equation {
         let orders_in_t = decomposition.patch.operator.order_in_t();
         let mut graph = decomposition.graph.clone();
         let symbols = Symbols::build(&mut graph, decomposition, orders_in_t, &options.limits)?;
+        let quotients = Quotients::build(&mut graph, decomposition, (&symbols, orders_in_t), &options.limits)?;
         // These run over a handful of nodes for each solution: interpreting them is done before compiling would be.
         let nodal = if backend == Backend::Auto { Backend::Interpreter } else { backend };
         let program = |outputs: &[ExprId]| compile(Program::compile(&graph, outputs), nodal);
         let (symbol_values, note) = program(&symbols.outputs);
+        let (quotient_values, _) = program(&quotients.outputs);
         let (boundary_values, _) = program(&boundary(decomposition));
-        let functions: Vec<_> =
-            decomposition.basis.iter().map(|function| (function.expr, function.origin)).collect();
+        let functions: Vec<_> = decomposition.basis.iter().map(|function| (function.expr, function.origin)).collect();
         Ok(Equation {
             orders: decomposition.patch.conditions.iter().map(|condition| condition.order).collect(),
             orders_in_u: symbols.orders_in_u,
@@ -95,6 +100,8 @@ impl Equation {
             is_vector: symbols.is_vector,
             origins: decomposition.basis.iter().map(|function| function.origin).collect(),
             symbol_values,
+            quotient_values,
+            has_quotients: quotients.exist,
             boundary_values,
             basis: Arc::new(Basis::new(&graph, &functions, backend, &options.limits)),
             note,
@@ -121,7 +128,7 @@ impl Equation {
     ///
     /// # Errors
     /// [`Code::ParameterNotFinite`] when one is not finite.
-    fn boundary(&self, params: &[f64]) -> Result<Boundary, Diagnostic> {
+    pub fn boundary(&self, params: &[f64]) -> Result<Boundary, Diagnostic> {
         let mut values = vec![0.0; self.boundary_values.program().outputs()];
         let nowhere = [0.0];
         self.boundary_values
@@ -165,13 +172,13 @@ impl Equation {
     /// The surface with these coefficients, which hold at `t` alone.
     pub fn surface(
         &self,
-        modes: CorrectedTrial,
+        modes: Arc<CorrectedTrial>,
         coefficients: Vec<Coefficients>,
         params: &[f64],
         t: f64,
     ) -> SeparableSurface {
         SeparableSurface {
-            modes: Arc::new(modes),
+            modes,
             basis: Arc::clone(&self.basis),
             params: params.to_vec(),
             coefficients,
@@ -183,7 +190,7 @@ impl Equation {
     ///
     /// # Errors
     /// [`Code::DependentConstraints`].
-    fn modes(
+    pub fn modes(
         &self,
         family: Arc<dyn TrialFamily>,
         count: usize,
@@ -201,9 +208,32 @@ impl Equation {
     /// # Errors
     /// [`Code::DataNotFinite`] for the first that is not finite.
     pub fn symbols_at(&self, u: &[f64], v: &[f64], t: f64, params: &[f64]) -> Result<Vec<f64>, Diagnostic> {
+        self.finite_values(&*self.symbol_values, (u, v, t), params)
+    }
+
+    /// Whether the equation only multiplies basis function `j`, by functions κ_jp of u.
+    pub fn has_quotients(&self, j: usize) -> bool {
+        self.has_quotients.get(j).copied().unwrap_or(false)
+    }
+
+    /// The κ_jp = a_jp / F_j at `u`, in the order of [`Equation::symbols_at`]; zeros of functions without.
+    ///
+    /// # Errors
+    /// As [`Equation::symbols_at`].
+    pub fn quotients_at(&self, u: &[f64], t: f64, params: &[f64]) -> Result<Vec<f64>, Diagnostic> {
+        // They do not depend on v or t, so any will do.
+        self.finite_values(&*self.quotient_values, (u, u, t), params)
+    }
+
+    fn finite_values(
+        &self,
+        evaluator: &dyn Evaluator,
+        (u, v, t): (&[f64], &[f64], f64),
+        params: &[f64],
+    ) -> Result<Vec<f64>, Diagnostic> {
         let times = vec![t; v.len()];
-        let mut values = vec![0.0; self.symbol_values.program().outputs() * v.len()];
-        self.symbol_values
+        let mut values = vec![0.0; evaluator.program().outputs() * v.len()];
+        evaluator
             .evaluate(params, Samples { u, v, t: &times }, &mut values)
             .map_err(|error| Diagnostic::new(Code::SolutionNotFinite, error.to_string()))?;
         let Some(at) = values.iter().position(|value| !value.is_finite()) else { return Ok(values) };
@@ -220,7 +250,13 @@ impl Equation {
     ///
     /// # Errors
     /// As [`Basis::values`].
-    fn visible_on(&self, v: &[f64], [low, high]: [f64; 2], t: f64, params: &[f64]) -> Result<Vec<bool>, Diagnostic> {
+    pub fn visible_on(
+        &self,
+        v: &[f64],
+        [low, high]: [f64; 2],
+        t: f64,
+        params: &[f64],
+    ) -> Result<Vec<bool>, Diagnostic> {
         // A shift by the golden section of a cell: no function of a whole wave number is zero on both grids.
         let shift = 0.381_966 * (high - low) / v.len() as f64;
         let between: Vec<f64> = v.iter().map(|v| (v + shift).min(high)).collect();
@@ -303,6 +339,69 @@ impl Symbols {
         }
         Ok(Symbols { outputs, orders_in_u, is_vector })
     }
+}
+
+/// The κ_jp, in the order of [`Symbols`].
+struct Quotients {
+    outputs: Vec<ExprId>,
+    exist: Vec<bool>,
+}
+
+impl Quotients {
+    fn build(
+        graph: &mut Graph,
+        decomposition: &Decomposition,
+        (symbols, orders_in_t): (&Symbols, usize),
+        limits: &Limits,
+    ) -> Result<Quotients, Diagnostic> {
+        // Terms that are zero would leave 0/t of them.
+        let terms = &decomposition.operator.terms;
+        let (mut outputs, mut exist) = (Vec::with_capacity(symbols.outputs.len()), Vec::new());
+        let per_function = symbols.outputs.len().checked_div(decomposition.basis.len()).unwrap_or(0);
+        let zero = graph.integer(0);
+        for function in &decomposition.basis {
+            let mut of_function = Vec::with_capacity(per_function);
+            for component in 0..if symbols.is_vector { 3 } else { 1 } {
+                let mut quotients = Vec::with_capacity(symbols.orders_in_u.len());
+                for &order in &symbols.orders_in_u {
+                    let mut parts = Vec::new();
+                    for term in terms.iter().filter(|term| term.derivative.u == order) {
+                        let along = Derivative { u: 0, ..term.derivative };
+                        let derivative = function.derivatives.iter().find(|(orders, _)| *orders == along);
+                        let derivative = derivative.map_or(function.expr, |(_, expr)| *expr);
+                        let share = over(graph, derivative, function.expr);
+                        let coefficient = term.coefficient.get(component).copied().unwrap_or(share);
+                        parts.push(graph.product([coefficient, share]));
+                    }
+                    quotients.push(graph.sum(parts));
+                }
+                // One that depends on t may have a pole where the function has a zero.
+                let is_of_u = |quotient: &ExprId| !graph.dependence(*quotient).v && !graph.dependence(*quotient).t;
+                quotients.retain(is_of_u);
+                for order in 0..=orders_in_t {
+                    for quotient in &quotients {
+                        let in_time = Derivative::new(0, 0, order);
+                        of_function.push(bounded_derivative(graph, *quotient, in_time, limits, function.origin)?);
+                    }
+                }
+            }
+            // Others are missing.
+            let exists = of_function.len() == per_function;
+            exist.push(exists);
+            outputs.extend(if exists { of_function } else { vec![zero; per_function] });
+        }
+        Ok(Quotients { outputs, exist })
+    }
+}
+
+/// `value / function`, divided factor by factor so that equal ones cancel.
+fn over(graph: &mut Graph, value: ExprId, function: ExprId) -> ExprId {
+    let factors = match graph.node(function) {
+        Node::Product(factors) => factors.to_vec(),
+        _ => vec![function],
+    };
+    let inverse: Vec<ExprId> = factors.into_iter().map(|factor| graph.power_integer(factor, -1)).collect();
+    graph.product(inverse.into_iter().chain([value]))
 }
 
 /// The positions of the conditions, then the coefficients c_ij by condition, basis function and component.

@@ -77,8 +77,7 @@ impl Functions {
         for derivative in derivatives {
             for (expr, origin) in &self.functions {
                 let result = graph.derivative_within(*expr, *derivative, self.graph_nodes);
-                outputs
-                    .push(result.map_err(|fault| fault.to_diagnostic(*derivative, self.graph_nodes).at(*origin))?);
+                outputs.push(result.map_err(|fault| fault.to_diagnostic(*derivative, self.graph_nodes).at(*origin))?);
             }
         }
         Ok(Program::compile(&graph, &outputs))

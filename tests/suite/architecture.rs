@@ -30,7 +30,8 @@ const FORBIDDEN: &[(&str, &str)] = &[
 ];
 
 /// Crates that belong to one place: the crate and the beginning of the paths that may name it.
-const CONFINED: &[(&str, &str)] = &[("pest", "syntax/"), ("cranelift", "eval/jit"), ("clap", "bin/"), ("rayon", "threads.rs")];
+const CONFINED: &[(&str, &str)] =
+    &[("pest", "syntax/"), ("cranelift", "eval/jit"), ("clap", "bin/"), ("rayon", "threads.rs")];
 
 /// Where `unsafe` may stand.
 const UNSAFE: &[&str] = &["eval/jit", "kernels/"];

@@ -450,3 +450,22 @@ fn a_surface_that_misses_its_boundary_is_refused_however_large_it_is() {
     blend.set("c", "1e-9").expect("a param");
     assert_eq!(blend.solve(0, 0.0).err().map(|finding| finding.code), Some(Code::PromiseBroken));
 }
+
+#[test]
+fn an_animation_needs_one_solution_until_a_param_changes() {
+    let mut blend = blend(
+        "param r = 1\ndomain t in [0, 1]\nat u = 0: S = [cos v, sin v, r t], ∂S/∂u = [0, 0, 1]\nat u = 1: S = [2 cos v, 2 sin v, 2], ∂S/∂u = [0, 0, 1]",
+    );
+    let solved = |blend: &Blend, t: f64| blend.solve(0, t).expect("solvable").surface;
+    let first = solved(&blend, 0.0);
+    assert!(std::sync::Arc::ptr_eq(&first, &solved(&blend, 0.75)));
+    blend.set("r", "2").expect("a param");
+    let other = solved(&blend, 0.75);
+    assert!(!std::sync::Arc::ptr_eq(&first, &other));
+    let height = |surface: &dyn trimline::surface::Surface| {
+        let mut value = [[0.0; 3]];
+        surface.evaluate(Derivative::NONE, &[[0.0, 0.3, 0.75]], &mut value).expect("finite");
+        value[0][2]
+    };
+    assert!((height(&*first) - 0.75).abs() < 1e-14 && (height(&*other) - 1.5).abs() < 1e-14);
+}

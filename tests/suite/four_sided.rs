@@ -327,3 +327,31 @@ fn data_that_are_not_finite_are_named() {
     assert_eq!(refused.code, Code::DataNotFinite);
     assert!(refused.message.contains("at u = 0"), "{}", refused.message);
 }
+
+#[test]
+fn velocity_and_acceleration_of_moving_sides_are_those_of_the_surfaces_at_other_instants() {
+    let (mut problem, known) = with_vector(
+        "param rest = 0\ndomain u in [0, 1], v in [0, 1], t in [0, 2]",
+        "d4S/du4 + 2*d4S/du2dv2 + d4S/dv4 + rest*d2S/dt2",
+        "[u + t^2*sin(u + v), v*exp(t*u), cos(t + u*v)]",
+    );
+    restrict(&mut problem, known);
+    let blend = trimline::blend::Blend::new(problem, &terms("10")).expect("a problem");
+    let at = |t: f64, derivative: &str| {
+        let solution = blend.solve(0, t).expect("solvable");
+        let mut value = [[0.0; 3]];
+        let derivative = Derivative::parse(derivative).expect("letters");
+        solution.surface.evaluate(derivative, &[[0.4, 0.7, t]], &mut value).expect("known");
+        value[0]
+    };
+    let (t, h) = (0.75, 1e-4);
+    let (before, now, after) = (at(t - h, ""), at(t, ""), at(t + h, ""));
+    let (velocity, acceleration) = (at(t, "t"), at(t, "tt"));
+    for axis in 0..3 {
+        let first = (after[axis] - before[axis]) / (2.0 * h);
+        let second = (after[axis] - 2.0 * now[axis] + before[axis]) / (h * h);
+        // Truncation: h² times a derivative below 10; rounding of numbers near 3 over h², 1e-16/1e-8.
+        assert!((velocity[axis] - first).abs() < 1e-7, "{axis}: {} {first}", velocity[axis]);
+        assert!((acceleration[axis] - second).abs() < 1e-5, "{axis}: {} {second}", acceleration[axis]);
+    }
+}

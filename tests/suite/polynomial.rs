@@ -331,3 +331,36 @@ fn settings_out_of_range_are_refused_with_the_reason() {
         assert!(finding.message.contains(text), "{finding:?}");
     }
 }
+
+#[test]
+fn functions_that_the_equation_only_multiplies_are_fitted_as_all_others_are() {
+    // The square root is cos v on this domain, but its derivatives are no multiples of it that can be seen: it is fitted at
+    // all points, cos v at those in u alone.
+    let spec = |function: &str| {
+        format!(
+            "domain v in [-1, 1], t in [0, 1]\n
+             at u = 0: S = [{function}, v, t {function}], ∂S/∂u = [0, 1, 2 {function}]\n
+             at u = 1: S = [2 {function}, v, 0], ∂S/∂u = [{function}, 0, t]"
+        )
+    };
+    for method in ["sine", "polynomial"] {
+        let points = |function: &str| {
+            let options = Options { method: Some(method.to_owned()), ..Options::default() };
+            let blend = Blend::compile(&Source::new("test", spec(function)), &options).expect("a spec");
+            [0.25, 0.75].map(|t| {
+                let solution = blend.solve(0, t).expect("solvable");
+                let (u, v) = ([0.1, 0.5, 0.8], [-0.9, 0.2, 0.6]);
+                let mut values = [[0.0; 3]; 9];
+                solution.surface.evaluate_grid(Derivative::NONE, (&u, &v, t), &mut values).expect("finite");
+                (values, solution.report.rank)
+            })
+        };
+        let (shared, plain) = (points("cos(v)"), points("sqrt(1 - sin(v)^2)"));
+        for ((shared, rank), (plain, other)) in shared.iter().zip(&plain) {
+            let apart = shared.iter().flatten().zip(plain.iter().flatten()).map(|(a, b)| (a - b).abs());
+            let apart = apart.fold(0.0, f64::max);
+            // Rounding times the condition of ten terms, about 1e5.
+            assert!(apart < 1e-10 && rank == other, "{method}: {apart:.1e}, rank {rank} and {other}");
+        }
+    }
+}

@@ -212,7 +212,8 @@ fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Check
         Part::Patch(patched) => Some(times.iter().map(move |time| (&**patched, *time))),
         _ => None,
     });
-    let mut measured = threads::map(solved.flatten().collect(), |(patched, time)| measure(&spec, patched, time)).into_iter();
+    let mut measured =
+        threads::map(solved.flatten().collect(), |(patched, time)| measure(&spec, patched, time)).into_iter();
     for (part, times) in parts.iter().zip(times) {
         let patched = match part {
             Part::Patch(patched) => patched,

@@ -7,7 +7,7 @@
 
 mod system;
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use nalgebra::DMatrix;
 
@@ -18,7 +18,7 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Shortest, Span};
 use crate::eval::{Backend, Evaluator, Program, Samples, compile};
 use crate::expr::{Derivative, ExprId};
 use crate::limits::Limits;
-use crate::numeric::{LeastSquares, nodes};
+use crate::numeric::{LeastSquares, LeastSquaresError, nodes};
 use crate::problem::COMPONENTS;
 use crate::trial::{CorrectedTrial, Modes, TrialFamily};
 
@@ -45,6 +45,8 @@ pub struct Fitting {
     method: &'static str,
     equation: Equation,
     force: Option<Arc<dyn Evaluator>>,
+    /// The last systems: functions that the equation multiplies alike, and other instants, have the same.
+    factorised: Mutex<Vec<(DMatrix<f64>, Arc<LeastSquares>)>>,
     operator_origin: Option<Span>,
 }
 
@@ -105,6 +107,7 @@ impl Fitting {
             method,
             equation: Equation::compile(decomposition, options)?,
             force: force(decomposition, &options.limits)?,
+            factorised: Mutex::default(),
             operator_origin: decomposition.patch.operator.origin,
         })
     }
@@ -118,9 +121,14 @@ impl Fitting {
         let equation = &self.equation;
         let Discretisation { boundary, modes, u, v, is_visible } =
             equation.discretise((family, plan.terms), plan.points, (params, ranges, t))?;
-        let symbols = self.symbols_at(&u, &v, numbers)?;
-        let collocation = Collocation::new(equation, &modes, (&u, v.len()), (&symbols.0, &symbols.1));
         let count = equation.basis.len();
+        // Where the equation only multiplies the functions that it is fitted to, the nodes in v make no difference.
+        let is_reduced = |group: &Group| matches!(group.members.as_slice(), [j] if equation.has_quotients(*j));
+        let (symbols, in_v) = match self.force.is_none() && plan.groups.iter().all(is_reduced) {
+            true => ((equation.quotients_at(&u, t, params)?, Vec::new()), 1),
+            false => (self.symbols_at(&u, &v, numbers)?, v.len()),
+        };
+        let collocation = Collocation::new(equation, &modes, (&u, in_v), (&symbols.0, &symbols.1));
         let stated: Vec<DMatrix<f64>> = (0..count).map(|j| boundary.stated(j)).collect();
         let mut coefficients = equation.no_coefficients(modes.count());
         if let Some(first) = coefficients.first_mut() {
@@ -140,7 +148,7 @@ impl Fitting {
             }
             weights.extend(fits.into_iter().next());
         }
-        let surface = equation.surface(modes.clone(), coefficients, params, t);
+        let surface = equation.surface(Arc::new(modes.clone()), coefficients, params, t);
         Ok(Fitted { solution: Solution { surface: Arc::new(surface), report }, modes, stated, weights })
     }
 
@@ -217,7 +225,7 @@ impl Fitting {
             Diagnostic::new(Code::SolutionNotFinite, message).at(origin)
         };
         let matrix = systems.first().ok_or_else(|| failed("is empty".to_owned()))?;
-        let solver = LeastSquares::new(matrix).map_err(|error| failed(format!("cannot be solved: {error}")))?;
+        let solver = self.factorised(matrix).map_err(|error| failed(format!("cannot be solved: {error}")))?;
         report.condition = report.condition.map(|condition| condition.max(solver.condition()));
         report.rank += solver.rank();
         if solver.rank() < unknowns {
@@ -228,6 +236,24 @@ impl Fitting {
             return Err(failed("has a solution that is not finite".to_owned()));
         }
         Ok(derivatives)
+    }
+
+    /// The factors of `matrix`, which may be known.
+    fn factorised(&self, matrix: &DMatrix<f64>) -> Result<Arc<LeastSquares>, LeastSquaresError> {
+        // A panic elsewhere leaves the list whole.
+        let lock = || self.factorised.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, known)) = lock().iter().find(|(known, _)| known == matrix) {
+            return Ok(Arc::clone(known));
+        }
+        let solver = Arc::new(LeastSquares::new(matrix)?);
+        if matrix.len() <= LARGEST_KEPT {
+            let mut all = lock();
+            if all.len() >= KEPT {
+                all.remove(0);
+            }
+            all.push((matrix.clone(), Arc::clone(&solver)));
+        }
+        Ok(solver)
     }
 
     /// The finding that names the basis functions whose terms are not determined.
@@ -285,6 +311,10 @@ impl Fitting {
         }
     }
 }
+
+/// Systems that are remembered, and the most entries that one of them has: those of single functions.
+const KEPT: usize = 32;
+const LARGEST_KEPT: usize = 4096;
 
 /// A basis function takes part in a dependency if its share in the orthonormal directions of the null space is more
 /// than what rounding leaves of nothing.

@@ -6,6 +6,8 @@
 //!
 //! The fitted P_k depend on t through A; their derivatives are those of a least-squares solution (S3).
 
+use std::sync::{Arc, Mutex, PoisonError};
+
 use nalgebra::DMatrix;
 
 use crate::numeric::{LeastSquares, LeastSquaresError};
@@ -17,7 +19,20 @@ pub struct Collocation {
     cardinal: Vec<DMatrix<f64>>,
     /// The same for the corrected trial functions.
     trial: Vec<DMatrix<f64>>,
+    /// What was factorised for the last quotients.
+    shared: Mutex<Vec<(Vec<f64>, Arc<Shared>)>>,
 }
+
+/// The factorised system of functions that the equation multiplies alike.
+struct Shared {
+    /// The coefficients P_k for each boundary coefficient: they are linear in them.
+    response: DMatrix<f64>,
+    condition: f64,
+    rank: usize,
+}
+
+/// Systems that are remembered.
+const KEPT: usize = 64;
 
 /// A fit and its derivatives in t.
 pub struct Fit {
@@ -40,7 +55,42 @@ impl Collocation {
             cardinal.push(all.columns(0, count).into_owned());
             trial.push(all.columns(count, modes.count() - count).into_owned());
         }
-        Collocation { cardinal, trial }
+        Collocation { cardinal, trial, shared: Mutex::default() }
+    }
+
+    /// Fits a function that the equation only multiplies, by the κ_p in `quotients` with their derivatives in t, zeros: as
+    /// many equations as nodes in u, with a matrix that is factorised once for all functions and instants that have the κ_p.
+    pub fn fit_quotients(&self, quotients: &[f64], stated: &DMatrix<f64>) -> Result<Fit, LeastSquaresError> {
+        let orders = self.cardinal.len();
+        let (now, later) = quotients.split_at_checked(orders).unwrap_or_default();
+        let is_zero = |values: &[f64]| values.iter().all(|value| *value == 0.0);
+        if is_zero(now) || is_zero(stated.as_slice()) {
+            return self.fit(quotients, 1, stated);
+        }
+        let shared = self.shared(now)?;
+        let first = &shared.response * stated;
+        let zeros = DMatrix::zeros(first.nrows(), first.ncols());
+        let further = later.chunks(orders.max(1)).map(|_| zeros.clone());
+        let derivatives = std::iter::once(first).chain(further).collect();
+        Ok(Fit { derivatives, condition: shared.condition, rank: shared.rank })
+    }
+
+    fn shared(&self, quotients: &[f64]) -> Result<Arc<Shared>, LeastSquaresError> {
+        // A panic elsewhere leaves the list whole.
+        let lock = || self.shared.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, known)) = lock().iter().find(|(known, _)| known == quotients) {
+            return Ok(Arc::clone(known));
+        }
+        let part = DMatrix::from_row_slice(1, quotients.len(), quotients);
+        let solver = LeastSquares::new(&combine(&part, &self.trial))?;
+        let response = -solver.solve(&combine(&part, &self.cardinal));
+        let shared = Arc::new(Shared { response, condition: solver.condition(), rank: solver.rank() });
+        let mut all = lock();
+        if all.len() >= KEPT {
+            all.remove(0);
+        }
+        all.push((quotients.to_vec(), Arc::clone(&shared)));
+        Ok(shared)
     }
 
     /// Fits the trial functions to the boundary coefficients `stated` (a row per condition, any columns).

@@ -11,17 +11,17 @@
 
 mod collocation;
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use nalgebra::DMatrix;
 
-use super::equation::{Discretisation, Equation, place};
+use super::equation::{Boundary, Equation, place};
 use super::{Method, Options, Report, Size, Solution, Solver, Systems, Terms};
 use crate::decompose::Decomposition;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
 use crate::limits::Limits;
-use crate::numeric::NodeKind;
-use crate::trial::{Modes, Sine};
+use crate::numeric::{NodeKind, nodes};
+use crate::trial::{CorrectedTrial, Modes, Sine};
 
 use collocation::Collocation;
 
@@ -61,7 +61,8 @@ impl Method for SineSeries {
 
     fn prepare(&self, decomposition: &Decomposition, options: &Options) -> Result<Box<dyn Solver>, Diagnostic> {
         let (terms, points) = sizes(decomposition, options, decomposition.patch.operator.order_in_t())?;
-        Ok(Box::new(SineSolver { terms, points, equation: Equation::compile(decomposition, options)? }))
+        let equation = Equation::compile(decomposition, options)?;
+        Ok(Box::new(SineSolver { terms, points, equation, last: Mutex::default() }))
     }
 }
 
@@ -109,41 +110,75 @@ struct SineSolver {
     terms: usize,
     points: Size,
     equation: Equation,
+    /// What other instants have in common with the last.
+    last: Mutex<Option<Arc<Functions>>>,
+}
+
+/// The functions of u over one range, for boundary conditions at some places.
+struct Functions {
+    functionals: Vec<(f64, usize)>,
+    range: [f64; 2],
+    modes: Arc<CorrectedTrial>,
+    collocation: Collocation,
 }
 
 impl Solver for SineSolver {
     fn solve(&self, params: &[f64], ranges: [[f64; 2]; 2], t: f64) -> Result<Solution, Diagnostic> {
         let equation = &self.equation;
-        let Discretisation { boundary, modes, u, v, is_visible } =
-            equation.discretise((Arc::new(Sine), self.terms), self.points, (params, ranges, t))?;
-        // The symbols do not depend on u, so any u will do.
-        let symbols = equation.symbols_at(&vec![ranges[0][0]; v.len()], &v, t, params)?;
-        let collocation = Collocation::new(&modes, &equation.orders_in_u, &u);
+        let boundary = equation.boundary(params)?;
+        let functions = self.functions(&boundary, ranges[0])?;
+        let Functions { modes, collocation, .. } = &*functions;
+        let v = nodes(self.points.kind, self.points.v, ranges[1]);
+        let is_visible = equation.visible_on(&v, ranges[1], t, params)?;
         let count = equation.basis.len();
+        // The symbols do not depend on u, so any u will do.
+        let quotients = equation.quotients_at(&ranges[0][..1], t, params)?;
+        let symbols = match (0..count).all(|j| equation.has_quotients(j)) {
+            true => Vec::new(),
+            false => equation.symbols_at(&vec![ranges[0][0]; v.len()], &v, t, params)?,
+        };
         let mut coefficients = equation.no_coefficients(modes.count());
         let mut report = self.empty_report();
-        for (j, rows) in symbols.chunks(equation.values_per_function(v.len()).max(1)).enumerate() {
+        for j in 0..count {
+            let (values, nodes) = if equation.has_quotients(j) { (&quotients, 1) } else { (&symbols, v.len()) };
+            let size = equation.values_per_function(nodes);
+            let rows = values.get(j * size..(j + 1) * size).unwrap_or_default();
             let stated = boundary.stated(j);
             if !is_visible.get(j).copied().unwrap_or(false) && stated.iter().any(|value| *value != 0.0) {
                 return Err(equation.vanishes(j));
             }
-            let fits = self.fit(&collocation, rows, v.len(), &stated, j, &mut report)?;
+            let fits = self.fit(collocation, (rows, nodes), &stated, j, &mut report)?;
             for (coefficients, fit) in coefficients.iter_mut().zip(&fits) {
                 place(coefficients, (j, count), 0, &[0, 1, 2], fit);
             }
         }
-        let surface = equation.surface(modes, coefficients, params, t);
+        let surface = equation.surface(Arc::clone(modes), coefficients, params, t);
         Ok(Solution { surface: Arc::new(surface), report })
     }
 }
 
 impl SineSolver {
+    /// The functions of u, which are those of the last solution unless the boundary moved.
+    fn functions(&self, boundary: &Boundary, range: [f64; 2]) -> Result<Arc<Functions>, Diagnostic> {
+        // A panic elsewhere leaves either the one or the other.
+        let lock = || self.last.lock().unwrap_or_else(PoisonError::into_inner);
+        let is_it = |known: &&Arc<Functions>| known.functionals == boundary.functionals && known.range == range;
+        if let Some(known) = lock().as_ref().filter(is_it) {
+            return Ok(Arc::clone(known));
+        }
+        let modes = Arc::new(self.equation.modes(Arc::new(Sine), self.terms, range, boundary)?);
+        let u = nodes(self.points.kind, self.points.u, range);
+        let collocation = Collocation::new(&modes, &self.equation.orders_in_u, &u);
+        let functions = Arc::new(Functions { functionals: boundary.functionals.clone(), range, modes, collocation });
+        *lock() = Some(Arc::clone(&functions));
+        Ok(functions)
+    }
+
     /// The boundary and fitted coefficients of one basis function and their derivatives in t: one row per mode.
     fn fit(
         &self,
         collocation: &Collocation,
-        rows: &[f64],
-        nodes: usize,
+        (rows, nodes): (&[f64], usize),
         stated: &DMatrix<f64>,
         j: usize,
         report: &mut Report,
@@ -156,7 +191,11 @@ impl SineSolver {
         for (component, rows) in rows.chunks(equation.values_per_component(nodes).max(1)).enumerate() {
             let columns = if equation.is_vector() { component..component + 1 } else { 0..3 };
             let right = stated.columns(columns.start, columns.len()).into_owned();
-            let fit = collocation.fit(rows, nodes, &right).map_err(|error| {
+            let fit = match equation.has_quotients(j) {
+                true => collocation.fit_quotients(rows, &right),
+                false => collocation.fit(rows, nodes, &right),
+            };
+            let fit = fit.map_err(|error| {
                 let message = format!("the system of basis function F{} cannot be solved: {error}", j + 1);
                 Diagnostic::new(Code::SolutionNotFinite, message).at(equation.origin(j))
             })?;
