@@ -1,7 +1,7 @@
 //! Expansion of an expression in v and t into `Σ coefficient(params) * monomial(v, t)`.
 //!
 //! A loop over the nodes of the expression, operands first. Sums merge, products multiply out, integer powers of
-//! sums multiply out, `exp(a + v)` splits into `exp(a)` and `exp(v)`, arguments of other functions are
+//! sums multiply out, exponents stay together but for what depends on u, arguments of functions are
 //! expanded so that `sin(2(v + 1))` and `sin(2v + 2)` are one function. Whatever cannot be taken apart is one
 //! factor. The number of monomials is bounded at every step.
 
@@ -79,10 +79,16 @@ fn expand_node(
         Node::Call(Function::Exp, arguments) => {
             let Some(argument) = arguments.first() else { return Ok(factor(graph, id)) };
             let mut argument = of(argument);
-            let constant = argument.shift_remove(&one).unwrap_or_else(|| graph.integer(0));
-            let varying = assemble(graph, &argument);
-            let monomial = graph.call(Function::Exp, &[varying]);
-            Ok([(monomial, graph.call(Function::Exp, &[constant]))].into_iter().collect())
+            // The exponent stays together: of `e^(-100 (v - 3)²)` the parts e^-900 and e^(600 v) leave the doubles, and
+            // their product does not. Only what depends on u cannot stay in a function of v and t.
+            let constant = argument.get(&one).copied().unwrap_or_else(|| graph.integer(0));
+            let (of_u, others) = split_by_u(graph, constant);
+            argument.insert(one, others);
+            let exponent = assemble(graph, &argument);
+            let function = graph.call(Function::Exp, &[exponent]);
+            let (constant, monomial) = split_coefficient(graph, function);
+            let of_u = graph.call(Function::Exp, &[of_u]);
+            Ok([(monomial, graph.product([of_u, constant]))].into_iter().collect())
         }
         Node::Call(function, arguments) => {
             let mut expanded = Vec::with_capacity(arguments.len());
@@ -120,6 +126,32 @@ fn factor(graph: &mut Graph, expr: ExprId) -> Monomials {
     [(monomial, graph.number(number))].into_iter().collect()
 }
 
+/// The terms of a sum that depend on u, and the others.
+fn split_by_u(graph: &mut Graph, expr: ExprId) -> (ExprId, ExprId) {
+    let terms = match graph.node(expr) {
+        Node::Sum(terms) => terms.to_vec(),
+        _ => vec![expr],
+    };
+    let (of_u, others): (Vec<ExprId>, Vec<ExprId>) = terms.into_iter().partition(|term| graph.dependence(*term).u);
+    (graph.sum(of_u), graph.sum(others))
+}
+
+/// The factors of a product that belong to the coefficients, and the others.
+fn split_coefficient(graph: &mut Graph, product: ExprId) -> (ExprId, ExprId) {
+    let one = graph.integer(1);
+    if is_coefficient(graph, product) {
+        return (product, one);
+    }
+    let Node::Product(factors) = graph.node(product).clone() else { return (one, product) };
+    // Zero times a division by zero is kept as it is.
+    if factors.iter().any(|factor| graph.is_zero(*factor)) {
+        return (one, product);
+    }
+    let (constant, varying): (Vec<ExprId>, Vec<ExprId>) =
+        factors.iter().partition(|factor| is_coefficient(graph, **factor));
+    (graph.product(constant), graph.product(varying))
+}
+
 fn assemble(graph: &mut Graph, monomials: &Monomials) -> ExprId {
     let terms: Vec<ExprId> =
         monomials.iter().map(|(monomial, coefficient)| graph.product([*coefficient, *monomial])).collect();
@@ -127,12 +159,9 @@ fn assemble(graph: &mut Graph, monomials: &Monomials) -> ExprId {
 }
 
 fn add(graph: &mut Graph, sum: &mut Monomials, monomial: ExprId, coefficient: ExprId) {
-    // Merging factors can leave a number in front, which belongs to the coefficient.
-    let (number, monomial) = match graph.as_number(monomial) {
-        Some(number) => (number, graph.integer(1)),
-        None => graph.split_factor(monomial),
-    };
-    let coefficient = graph.scale(number, coefficient);
+    // Factors that merge can leave a number in front, and exponents that cancel a constant.
+    let (factor, monomial) = split_coefficient(graph, monomial);
+    let coefficient = graph.product([factor, coefficient]);
     match sum.get(&monomial).copied() {
         Some(before) => sum.insert(monomial, graph.sum([before, coefficient])),
         None => sum.insert(monomial, coefficient),

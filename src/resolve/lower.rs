@@ -120,6 +120,7 @@ impl Lowering<'_> {
             }
             Kind::SquareRoot(arguments) => {
                 self.refuse_applied_factor("sqrt", arguments, span)?;
+                self.refuse_applied_below_root(arguments, span)?;
                 match self.scalars(arguments, known)?.as_slice() {
                     [only] => Ok(scalar(self.graph.sqrt(*only))),
                     values => Err(wrong_arity("sqrt", 1, values.len(), span)),
@@ -140,31 +141,6 @@ impl Lowering<'_> {
         }
     }
 
-    /// Refuses `sin a (1 - t)` where a is no function: the bracket may be part of the argument or stand behind it. Only
-    /// now is it known what the name means; for u, v and t the parser does the same.
-    fn refuse_applied_factor(&self, function: &str, arguments: &[Expression], call: Span) -> Result<(), Diagnostic> {
-        let [argument] = arguments else { return Ok(()) };
-        let argument = self.tree.node(*argument);
-        let is_bare = argument.span.end == call.end;
-        let Kind::Product(factors) = &argument.kind else { return Ok(()) };
-        for (_, factor) in factors.iter().filter(|_| is_bare) {
-            let applied = match self.tree.node(*factor).kind {
-                Kind::Power(base, _) => self.tree.node(base),
-                _ => self.tree.node(*factor),
-            };
-            let Kind::Application(name, _) = &applied.kind else { continue };
-            let is_factor = match self.scope.meaning(&name.text) {
-                Some(Meaning::Function(..)) | None => false,
-                // `2π(v + 1)` is one angle.
-                Some(_) => name.text != "pi",
-            };
-            if is_factor && self.surface(&name.text).is_none() {
-                return Err(ambiguous_bracket(function, &name.text).at(call));
-            }
-        }
-        Ok(())
-    }
-
     fn name(&mut self, name: &Name) -> Result<Form, Diagnostic> {
         match self.scope.meaning(&name.text) {
             Some(Meaning::Function(formals, _)) => Err(wrong_arity(&name.text, formals.len(), 0, name.span)),
@@ -183,50 +159,6 @@ impl Lowering<'_> {
         let (zero, one) = (self.graph.integer(0), self.graph.integer(1));
         let unknown = BTreeMap::from([(unknown.derivative, Value::Scalar(one))]);
         Ok(Form { unknown, ..Form::of(Value::Scalar(zero)) })
-    }
-
-    /// `f(x)`: a call of a defined function, or a product with a bracket.
-    fn application(
-        &mut self,
-        name: &Name,
-        arguments: &[Expression],
-        known: &FxHashMap<Expression, Form>,
-        span: Span,
-    ) -> Result<Form, Diagnostic> {
-        if let Some((surface, component)) = self.surface(&name.text) {
-            let values = self.scalars(arguments, known)?;
-            return self.surface_value((&surface, component), name, &values, span);
-        }
-        match self.scope.meaning(&name.text).cloned() {
-            Some(Meaning::Function(formals, body)) => {
-                self.check_visible(name, body, 0)?;
-                let values = self.scalars(arguments, known)?;
-                if values.len() != formals.len() {
-                    return Err(wrong_arity(&name.text, formals.len(), values.len(), span));
-                }
-                let replacements: FxHashMap<ExprId, ExprId> = formals.into_iter().zip(values).collect();
-                let value = self.map_value(body, |graph, expr| graph.substitute(expr, &replacements));
-                Ok(Form::of(value))
-            }
-            Some(meaning) => match arguments {
-                [only] => {
-                    let factor = Form::of(self.plain_value(&meaning, name)?);
-                    let other = known.get(only).cloned().ok_or_else(|| missing(span))?;
-                    self.multiply(factor, other, span)
-                }
-                _ => {
-                    let message =
-                        format!("`{}` is not a function, so it cannot take {} arguments", name.text, arguments.len());
-                    Err(Diagnostic::new(Code::WrongArity, message).at(span))
-                }
-            },
-            None => {
-                let text = &name.text;
-                let hint =
-                    format!("as a function define it, `let {text}(x) = …`; as a factor declare it, `param {text} = …`");
-                Err(self.scope.unknown_name(name, Some(hint)))
-            }
-        }
     }
 
     fn sum(
@@ -270,7 +202,12 @@ impl Lowering<'_> {
         let mut others: Vec<Form> = Vec::new();
         for (divides, factor) in factors.iter().rev() {
             let form = known.get(factor).cloned().ok_or_else(|| missing(span))?;
-            let form = if *divides { self.invert(&form, *factor)? } else { form };
+            let form = if *divides {
+                self.refuse_applied_divisor(*factor)?;
+                self.invert(&form, *factor)?
+            } else {
+                form
+            };
             match form.value {
                 Value::Scalar(number) if form.is_value() => numbers.push(number),
                 _ => {
@@ -311,17 +248,11 @@ impl Lowering<'_> {
         exponent: Expression,
         known: &FxHashMap<Expression, Form>,
     ) -> Result<Form, Diagnostic> {
-        // `h0(1 - t)^2` with a factor h0 is h0 times a square, and `2^n(x)` with a factor n is `2^n` times x.
+        self.refuse_applied_exponent(exponent)?;
+        // `h0(1 - t)^2` with a factor h0 is h0 times a square.
         if let Some((factor, bracket)) = self.factor_and_bracket(base, known) {
             let power = self.raise(bracket, exponent, known)?;
             return self.multiply(factor, power, self.tree.span(base));
-        }
-        if let Some((factor, bracket)) = self.factor_and_bracket(exponent, known) {
-            let base = self.scalar_of(base, known)?;
-            let Value::Scalar(factor) = factor.value else { return Err(self.not_scalar(exponent)) };
-            let power = scalar(self.graph.power(base, factor));
-            let bracket = known.get(&bracket).cloned().ok_or_else(|| missing(self.tree.span(bracket)))?;
-            return self.multiply(power, bracket, self.tree.span(exponent));
         }
         self.raise(base, exponent, known)
     }
@@ -342,19 +273,8 @@ impl Lowering<'_> {
         }
     }
 
-    /// `h0(1 - t)` as its factor and its bracket, when `h0` is not a function.
-    fn factor_and_bracket(
-        &self,
-        expression: Expression,
-        known: &FxHashMap<Expression, Form>,
-    ) -> Option<(Form, Expression)> {
-        let Kind::Application(name, arguments) = &self.tree.node(expression).kind else { return None };
-        let (Some(meaning), [only]) = (self.scope.meaning(&name.text), arguments.as_slice()) else { return None };
-        let value = plain(meaning, name.span).ok()?;
-        known.get(only).map(|_| (Form::of(value), *only))
-    }
-
-    fn scalars(
+    /// The values of `expressions`, which must be numbers.
+    pub fn scalars(
         &mut self,
         expressions: &[Expression],
         known: &FxHashMap<Expression, Form>,
@@ -404,21 +324,15 @@ pub fn plain(meaning: &Meaning, span: Span) -> Result<Value, Diagnostic> {
     }
 }
 
-fn wrong_arity(name: &str, expected: usize, found: usize, span: Span) -> Diagnostic {
+/// The finding for a wrong number of arguments.
+pub fn wrong_arity(name: &str, expected: usize, found: usize, span: Span) -> Diagnostic {
     let plural = if expected == 1 { "" } else { "s" };
     let message = format!("`{name}` takes {expected} argument{plural}, found {found}");
     Diagnostic::new(Code::WrongArity, message).at(span)
 }
 
-fn ambiguous_bracket(function: &str, factor: &str) -> Diagnostic {
-    let message = format!("`{function} … {factor}(…)` can be read in two ways, since `{factor}` is no function");
-    Diagnostic::new(Code::AmbiguousExpression, message)
-        .marked(format!("does the bracket after `{factor}` belong to the argument of `{function}`?"))
-        .hint(format!("write `{function}({factor}*(…))` if it does, `{function}({factor})*(…)` if it does not"))
-}
-
 /// The walk visits parts first, so a part is never missing.
-fn missing(span: Span) -> Diagnostic {
+pub fn missing(span: Span) -> Diagnostic {
     Diagnostic::new(Code::UnexpectedText, "an expression uses a part that was not read: please report this text")
         .at(span)
 }

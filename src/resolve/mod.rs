@@ -3,6 +3,7 @@
 //! Input: a [`Document`]; output: a [`Problem`] that is complete and linear, or every fault of the document
 //! that can be found at once. Nothing numerical is decided here except where boundaries lie.
 
+mod application;
 mod boundary;
 mod copies;
 mod curve;

@@ -237,6 +237,17 @@ impl<'a> Scope<'a> {
             return finding
                 .hint("the components are `S_x`, `S_y`, `S_z`; derivatives are written `∂²S/∂u²` or `d2S/du2`");
         }
+        if let Some(written) = foreign_function(text) {
+            return finding.hint(format!("write `{written}`"));
+        }
+        let plain = text.trim_end_matches('\'');
+        if plain.len() < text.len()
+            && matches!(self.meaning(plain), Some(Meaning::Function(..) | Meaning::Value(_) | Meaning::Surface(_)))
+        {
+            return finding.hint(format!(
+                "a prime is part of a name and takes no derivative of `{plain}`: write the derivative out"
+            ));
+        }
         if let Some(product) = self.as_product(text) {
             return finding.hint(format!("did you mean `{product}`? Factors need a space or `*` between them"));
         }
@@ -283,4 +294,28 @@ impl<'a> Scope<'a> {
         let (distance, name) = distances.min_by_key(|(distance, _)| *distance)?;
         (distance <= text.chars().count().div_ceil(3)).then_some(name)
     }
+}
+
+/// How a function that has another name elsewhere is written here.
+fn foreign_function(name: &str) -> Option<String> {
+    const NAMES: &[(&str, &str)] = &[
+        ("sech", "1/cosh(…)"),
+        ("csch", "1/sinh(…)"),
+        ("cosech", "1/sinh(…)"),
+        ("coth", "1/tanh(…)"),
+        ("cosec", "csc(…)"),
+        ("tg", "tan(…)"),
+        ("ctg", "cot(…)"),
+        ("sgn", "sign(…)"),
+        ("lg", "log10(…)"),
+        ("arsinh", "asinh(…)"),
+        ("arcosh", "acosh(…)"),
+        ("artanh", "atanh(…)"),
+    ];
+    let known = NAMES.iter().find(|(foreign, _)| *foreign == name).map(|(_, written)| (*written).to_owned());
+    let base = name.strip_prefix("log").filter(|base| base.starts_with(|c: char| c == '_' || c.is_ascii_digit()));
+    known.or_else(|| match base?.trim_start_matches('_') {
+        "10" => Some("log10(…)".to_owned()),
+        base => Some(format!("ln(…)/ln({base})")),
+    })
 }

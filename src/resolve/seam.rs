@@ -33,6 +33,15 @@ impl Parts<'_> {
     }
 }
 
+/// What a seam joins: an end of a part in one coordinate, between two values of the other.
+#[derive(Clone, Copy, PartialEq)]
+struct Side {
+    part: usize,
+    across: Variable,
+    is_high: bool,
+    along: [f64; 2],
+}
+
 /// The seams that are stated between `parts`.
 pub fn seams(
     document: &Document,
@@ -42,14 +51,26 @@ pub fn seams(
     reading: &mut Reading<'_>,
 ) -> Vec<Seam> {
     let mut seams = Vec::with_capacity(document.seams.len());
+    let mut stated: Vec<([Side; 2], Span)> = Vec::with_capacity(document.seams.len());
     for seam in &document.seams {
         let edges = seam.edges.each_ref().map(|edge| {
             let edge = seam_edge(edge, parts, bindings, &mut reading.lowering(scope));
             reading.keep(edge)
         });
-        if let [Some(first), Some(second)] = edges {
-            seams.push(Seam { edges: [first, second], is_smooth: false, origin: Some(seam.span) });
+        let [Some((first, first_side)), Some((second, second_side))] = edges else { continue };
+        if first_side == second_side {
+            let finding = Diagnostic::new(Code::SeamWithoutEdge, "the seam joins an edge with itself").at(seam.span);
+            reading.report(finding.hint("name the edges of two patches, or both ends of one that closes"));
+            continue;
         }
+        let is_same = |(other, _): &&([Side; 2], Span)| other.contains(&first_side) && other.contains(&second_side);
+        if let Some((_, before)) = stated.iter().find(is_same) {
+            let finding = Diagnostic::new(Code::DuplicateStatement, "the seam is stated twice").at(seam.span);
+            reading.report(finding.label(*before, "first stated here"));
+            continue;
+        }
+        stated.push(([first_side, second_side], seam.span));
+        seams.push(Seam { edges: [first, second], is_smooth: false, origin: Some(seam.span) });
     }
     seams
 }
@@ -59,7 +80,7 @@ fn seam_edge(
     parts: Parts<'_>,
     bindings: &Bindings,
     lowering: &mut Lowering<'_>,
-) -> Result<SeamEdge, Fault> {
+) -> Result<(SeamEdge, Side), Fault> {
     let name = &edge.patch;
     let known = parts.names();
     let Some(index) = known.iter().position(|known| *known == name.text) else {
@@ -86,21 +107,46 @@ fn seam_edge(
     let [of_u, of_v] = [domain.u, domain.v];
     let (range, other) = if across == Variable::U { (of_u, of_v) } else { (of_v, of_u) };
     let at = bindings.constant_in(lowering.graph, position, Some(place), "the position of a seam")?;
-    check_inside(across, at, range, name, place)?;
-    let part = match &edge.along {
-        None => SidePart::Shares([0.0, 1.0]),
-        Some(along) => SidePart::Values(part(along, (name, across, other), bindings, lowering)?),
+    let is_high = end_of(across, at, range, name, place)?;
+    let (part, along) = match &edge.along {
+        None => (SidePart::Shares([0.0, 1.0]), other),
+        Some(along) => {
+            let (ends, values) = part(along, (name, across, other), bindings, lowering)?;
+            (SidePart::Values(ends), values)
+        }
     };
-    Ok(SeamEdge { patch: index, across, position, part })
+    let side = Side { part: index, across, is_high, along };
+    Ok((SeamEdge { patch: index, across, position, part }, side))
 }
 
-/// The ends of a part of the side of `patch` at fixed `across`, on which the other coordinate has the range `of_side`.
+/// Whether `position` is the higher end of `range`; a value that is neither end is no place of an edge.
+fn end_of(
+    across: Variable,
+    position: f64,
+    [low, high]: [f64; 2],
+    patch: &Name,
+    place: Span,
+) -> Result<bool, Diagnostic> {
+    // Ends that are computed may differ from it in their last bits.
+    let is_at = |end: f64| (position - end).abs() <= 8.0 * f64::EPSILON * low.abs().max(high.abs());
+    if is_at(low) || is_at(high) {
+        return Ok(is_at(high));
+    }
+    let [position, low, high] = [position, low, high].map(Shortest);
+    let (across, name) = (across.name(), &patch.text);
+    Err(Diagnostic::new(Code::SeamWithoutEdge, format!("`{name}` has no edge at {across} = {position}"))
+        .at(place)
+        .hint(format!("its edges are {across} = {low} and {across} = {high}")))
+}
+
+/// The ends of a part of the side of `patch` at fixed `across`, on which the other coordinate has the range `of_side`, and
+/// their values.
 fn part(
     along: &Range,
     (patch, across, of_side): (&Name, Variable, [f64; 2]),
     bindings: &Bindings,
     lowering: &mut Lowering<'_>,
-) -> Result<[ExprId; 2], Fault> {
+) -> Result<([ExprId; 2], [f64; 2]), Fault> {
     let variable = if across == Variable::U { Variable::V } else { Variable::U };
     if along.variable.text != variable.name() {
         let message = format!(
@@ -133,7 +179,7 @@ fn part(
         };
         return Err(finding.at(places[0].to(places[1])).into());
     }
-    <[ExprId; 2]>::try_from(ends).map_err(|_| Fault::Follows)
+    Ok((<[ExprId; 2]>::try_from(ends).map_err(|_| Fault::Follows)?, values))
 }
 
 /// Refuses a value of a coordinate outside its range in a patch.

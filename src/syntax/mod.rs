@@ -8,6 +8,7 @@ mod assembly;
 pub mod ast;
 mod bars;
 mod brackets;
+mod call;
 mod expression;
 mod files;
 mod format;
@@ -19,6 +20,7 @@ mod places;
 mod preflight;
 mod quotes;
 mod statement;
+mod unknown;
 
 pub use ast::Document;
 pub use format::{Alphabet, format};

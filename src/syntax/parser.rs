@@ -7,7 +7,7 @@ use pest::iterators::Pair;
 use super::bars::{BAR_CLOSES, BAR_OPENS};
 use super::quotes::FILLER;
 use crate::diagnostic::{Code, Diagnostic, Span};
-use crate::expr::greek_named;
+use crate::expr::{Function, greek_named};
 
 #[derive(pest_derive::Parser)]
 #[grammar = "../grammar/trimline.pest"]
@@ -16,6 +16,10 @@ struct Grammar;
 /// What a subscript of S means.
 const SUBSCRIPTS: &str =
     "the components are `S_x`, `S_y`, `S_z`; derivatives are written `∂S/∂u`, `∂²S/∂u²` or `d2S/du2`";
+
+/// Signs that are not read, and what is.
+const SIGNS: &[(char, &str)] =
+    &[('∛', "cbrt(…)"), ('⅓', "1/3"), ('⅔', "2/3"), ('⅕', "1/5"), ('⅙', "1/6"), ('⅛', "1/8"), ('—', "-")];
 
 /// A parsed piece of text.
 pub type Parsed<'a> = Pair<'a, Rule>;
@@ -39,6 +43,9 @@ fn unexpected(error: &pest::error::Error<Rule>, text: &str, offset: usize) -> Di
     let at = match error.location {
         InputLocation::Pos(at) | InputLocation::Span((at, _)) => at,
     };
+    if let Some((message, hint)) = slip(text, at) {
+        return Diagnostic::new(Code::UnexpectedText, message).at(place(text, at, offset)).hint(hint);
+    }
     let mut expected: Vec<&str> = match &error.variant {
         ErrorVariant::ParsingError { positives, .. } => positives.iter().filter_map(|rule| words(*rule)).collect(),
         ErrorVariant::CustomError { .. } => Vec::new(),
@@ -94,6 +101,8 @@ fn words(rule: Rule) -> Option<&'static str> {
         | Rule::number
         | Rule::pi
         | Rule::application
+        | Rule::adjacent
+        | Rule::applied
         | Rule::exponent
         | Rule::bare_factor
         | Rule::unknown
@@ -187,6 +196,39 @@ fn joined_call<'a>(before: &'a str, rest: &str) -> Option<&'a str> {
     (rest.starts_with('(') && start.trim_end().ends_with("join")).then_some(name)
 }
 
+/// What is wrong where a function stands as no function may, and what to write instead.
+fn slip(text: &str, at: usize) -> Option<(String, String)> {
+    let (before, rest) = (text.get(..at)?.trim_end(), text.get(at..)?);
+    let powered = before.strip_suffix('^').or_else(|| rest.starts_with('^').then_some(before));
+    if let Some(function) = powered.and_then(function_at_end) {
+        let message = format!("the power behind `{function}` is not a whole number");
+        return Some((message, format!("put it behind the argument: `{function}(…)^(…)`")));
+    }
+    let function = function_at_end(before)?;
+    if rest.starts_with(['[', '{']) {
+        let message = format!("the argument of `{function}` stands in round brackets");
+        return Some((message, format!("write `{function}(…)`")));
+    }
+    let before = before.strip_suffix(function)?.trim_end().trim_end_matches(['-', '−']);
+    if before.ends_with('√') {
+        let message = format!("below `√` the argument of `{function}` stands in brackets");
+        return Some((message, format!("write `√{function}(…)`")));
+    }
+    if before.ends_with('^') || before.ends_with("**") {
+        let message = format!("in an exponent the argument of `{function}` stands in brackets");
+        return Some((message, format!("write `^{function}(…)`, or brackets round the whole exponent")));
+    }
+    None
+}
+
+/// The function that `text` ends with.
+fn function_at_end(text: &str) -> Option<&str> {
+    let text = text.trim_end();
+    let word = text.rsplit(|c: char| !(c.is_alphanumeric() || c == '_')).next()?;
+    let word = word.trim_start_matches(|c: char| c.is_ascii_digit());
+    (Function::named(word).is_some() || word == "sqrt").then_some(word)
+}
+
 /// Advice for LaTeX outside a block.
 fn latex_advice(rest: &str) -> Option<String> {
     if rest.starts_with('$') {
@@ -210,6 +252,9 @@ fn advice(text: &str, at: usize) -> Option<String> {
     }
     if let Some(hint) = latex_advice(rest) {
         return Some(hint);
+    }
+    if let Some((_, written)) = SIGNS.iter().find(|(sign, _)| rest.starts_with(*sign)) {
+        return Some(format!("write `{written}`"));
     }
     if rest.starts_with('∇') {
         return Some("write it out: `∇²` is `∂²/∂u² + ∂²/∂v²`, `∇⁴ S` is `(∂²/∂u² + ∂²/∂v²)² S`".to_owned());
@@ -240,6 +285,18 @@ fn advice(text: &str, at: usize) -> Option<String> {
     }
     if text.starts_with("S") && rest.starts_with(':') {
         return Some("a boundary block begins with `at u = 0:`".to_owned());
+    }
+    if ["domain", "param"].iter().any(|word| text.starts_with(word)) && text.contains(['≤', '<', '⩽']) {
+        return Some("a range is written `v in [0, 2π]`".to_owned());
+    }
+    if ["u =", "u=", "v =", "v="].iter().any(|start| text.starts_with(start)) {
+        return Some("a boundary block begins with `at`: `at u = 0:`".to_owned());
+    }
+    if text.starts_with("pde") && before.contains(" where ") {
+        return Some("values of coefficients follow `with`".to_owned());
+    }
+    if rest.starts_with('{') {
+        return Some("braces stand in exponents and subscripts only; a vector is `[x, y, z]`".to_owned());
     }
     if text.starts_with("at ") && !text.contains(':') {
         return Some("a colon ends the position: `at u = 0:`".to_owned());

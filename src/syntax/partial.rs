@@ -1,9 +1,10 @@
 //! Derivatives of primary surfaces: `∂²S1(u1, v, t)/∂u∂v`.
 
 use super::ast::{Kind, Name, Partial};
-use super::expression::{Builder, order};
+use super::expression::Builder;
 use super::parser::{Parsed, Rule};
 use super::statement::internal;
+use super::unknown::order;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::expr::canonical_name;
 

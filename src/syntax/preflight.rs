@@ -327,6 +327,14 @@ fn suspicious(letter: char, at: usize) -> Option<Diagnostic> {
         let message = format!("the invisible character U+{code:04X} has no meaning here");
         return Some(Diagnostic::new(Code::DeceptiveCharacter, message).at(span).hint("remove it"));
     }
+    if matches!(letter, 'ⁱ' | 'ⁿ' | 'ᴬ'..='ᵪ') {
+        let message = format!("the raised or lowered letter `{letter}` is not read");
+        return Some(
+            Diagnostic::new(Code::UnexpectedText, message)
+                .at(span)
+                .hint("write `^` for an exponent, as in `e^(-t)`, and `_` for a subscript"),
+        );
+    }
     let is_latin = letter.is_ascii() || ('À'..='ɏ').contains(&letter);
     if letter.is_alphabetic() && !is_latin && greek_letter(letter).is_none() && !"ₓª".contains(letter) {
         let message =
@@ -382,8 +390,8 @@ fn logical_lines(text: &str, breaks: &[usize]) -> Vec<Span> {
 
 /// Whether `line` belongs to the statement of the line `before` it.
 pub fn continues(before: &str, line: &str) -> bool {
-    const LEADING: &[char] = &['+', '-', '−', '–', '*', '/', '·', '×', '÷', '=', '^', '{'];
-    const TRAILING: &[char] = &['+', '-', '−', '–', '*', '/', '·', '×', '÷', '=', '^', ','];
+    const LEADING: &[char] = &['+', '-', '−', '–', '*', '/', '·', '⋅', '∙', '∗', '×', '÷', '∕', '=', '^', '{'];
+    const TRAILING: &[char] = &['+', '-', '−', '–', '*', '/', '·', '⋅', '∙', '∗', '×', '÷', '∕', '=', '^', ','];
     let leads =
         line.starts_with(LEADING) || line.strip_prefix("with").is_some_and(|rest| rest.starts_with([' ', '\t']));
     // `pde` alone states nothing: the equation stands on the next lines.

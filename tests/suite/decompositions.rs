@@ -224,9 +224,45 @@ fn sine_of_minus_v_is_minus_sine_of_v() {
 }
 
 #[test]
-fn exponential_of_a_sum_splits_into_coefficient_and_function() {
-    assert_eq!(terms_of("e^(a + v)"), pairs(&[("exp(v)", "exp(a)")]));
-    assert_eq!(terms_of("e^(2 a + b v - t)"), pairs(&[("exp(-t + b*v)", "exp(2*a)")]));
+fn exponential_of_a_sum_is_one_function() {
+    assert_eq!(terms_of("e^(a + v)"), pairs(&[("exp(a + v)", "1")]));
+    assert_eq!(terms_of("e^(2 a + b v - t)"), pairs(&[("exp(2*a - t + b*v)", "1")]));
+    assert_eq!(terms_of("e^(2(v + 1)) + e^(2v + 2)"), pairs(&[("exp(2 + 2*v)", "2")]));
+}
+
+#[test]
+fn exponents_that_cancel_go_to_the_coefficient() {
+    assert_eq!(terms_of("b e^(a + v) e^-v"), pairs(&[("1", "b*exp(a)")]));
+    assert_eq!(terms_of("(e^(a + v) + t) e^-v"), pairs(&[("1", "exp(a)"), ("t*exp(-v)", "1")]));
+    assert_eq!(
+        terms_of("(e^(a + v) + 1) (e^-v sin t + 2)"),
+        pairs(&[("sin(t)", "exp(a)"), ("exp(a + v)", "2"), ("sin(t)*exp(-v)", "1"), ("1", "2")])
+    );
+    assert_eq!(terms_of("e^((v + 1)^2 - v^2 - 2v)"), pairs(&[("1", "e")]));
+}
+
+/// The parts of the exponent, e^-900 and e^(600 v), leave the doubles; the data do not.
+#[test]
+fn narrow_bell_is_finite_where_its_data_are() {
+    for value in ["5 e^(-100(v - 3)^2)", "a e^(-100(v - 2 a)^2) cos t"] {
+        let text = format!("param a = 1.5, b = 0.5, c = 2\n{}", with_data(value));
+        for v in [0.0, 1.5, 2.9, 3.0, 3.1, 6.2] {
+            let problem = problem(&text);
+            let decomposition = decomposition(&text);
+            let params = Bindings::evaluate(&problem).expect("finite").as_slice().to_vec();
+            let at = [f64::NAN, v, 0.4];
+            let expected = problem.graph.value(patch(&problem).conditions[0].value[0], &params, at);
+            let functions = decomposition.basis.iter().zip(&decomposition.coefficients[0]);
+            let found: f64 = functions
+                .map(|(function, vector)| {
+                    decomposition.graph.value(vector[0], &params, [f64::NAN; 3])
+                        * decomposition.graph.value(function.expr, &params, at)
+                })
+                .sum();
+            // The expanded exponent has terms up to 4000, each rounded to 5e-13.
+            assert!((found - expected).abs() <= 4e-12 * expected.abs(), "{value} at {v}: {found} {expected}");
+        }
+    }
 }
 
 #[test]

@@ -209,7 +209,6 @@ fn powers_bind_tighter_than_a_minus_and_from_the_right() {
 fn parameter_before_a_bracket_is_a_factor_of_its_power() {
     same("h0(1-t)^2", "h0*(1-t)^2");
     same("v(1-t)²", "v*(1-t)^2");
-    same("2^k(v)", "2^k*v");
 }
 
 #[test]

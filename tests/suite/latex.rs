@@ -169,6 +169,7 @@ fn letters_are_names_of_their_own() {
     same("a_1kv + a_{1}kv", "2*a1*k*v");
     same(r"b_{12}\alpha t", "b12*alpha*t");
     same(r"\mathrm{speed} t + r_{\mathrm{max}} r_{max}", "speed*t + r_max^2");
+    same(r"r_{\max} v + r_{\text{max}} t", "r_max*v + r_max*t");
     same("h_0'v + h'_{0}t", "h0'*v + h0'*t");
     same(r"\pi t", "pi*t");
 }
@@ -181,7 +182,6 @@ fn fractions_roots_and_powers_have_their_groups() {
     same(r"e^{-t}\, e^t v^{a b}", "exp(-t)*exp(t)*v^(a*b)");
     same(r"2 \cdot 10^{-3} v + 10^{2}", "2e-3*v + 1e2");
     same(r"v/2 \cdot 10^{3}", "(v/2)*1000");
-    same(r"\sin 2 \cdot 10^{3} v", "sin(2)*1000*v");
     same(
         r"\sqrt{2}v + t\sin{v} + e^t(1 + v) + \frac{1}{2}\cos 2\pi v",
         "sqrt(2)*v + sin(v)*t + e^t*(1 + v) + cos(2*pi*v)/2",
@@ -313,6 +313,8 @@ const REFUSED: &[(&str, Code, &str, &str)] = &[
     (r"\foo v", Code::UnsupportedLatex, r"\foo", "not read"),
     (r"\mathbf{b} v", Code::UnsupportedLatex, r"\mathbf{b}", "one name"),
     (r"v^12", Code::UnsupportedLatex, "^12", "braces"),
+    (r"\log_2 v", Code::UnsupportedLatex, "_", r"\log_{10}"),
+    (r"v^{\prime}", Code::UnsupportedLatex, r"\prime", "the prime itself"),
     (r"b_12 v", Code::UnsupportedLatex, "_12", "_{12}"),
     (r"\sqrt[3]{v}", Code::UnsupportedLatex, r"\sqrt", "index"),
     (r"\frac12 v", Code::UnsupportedLatex, r"\frac", "braces"),
@@ -338,6 +340,7 @@ const REFUSED: &[(&str, Code, &str, &str)] = &[
     (r"\sin^2\frac{\pi}{2} v", Code::AmbiguousExpression, r"\sin^2\frac{\pi}{2} v", "belong to the argument"),
     (r"\sin\frac{1}{2}\left(v\right)", Code::AmbiguousExpression, r"\sin\frac{1}{2}\left", "belong to the argument"),
     (r"\operatorname{arsinh}{2}v", Code::AmbiguousExpression, r"\operatorname{arsinh}{2}v", "(2 v)"),
+    (r"\sin 2 \cdot 10^{3} v", Code::AmbiguousExpression, r"\sin 2 \cdot 10^{3} v", "belong to the argument"),
     (r"\sin{v}/2", Code::AmbiguousExpression, r"\sin{v}/", "belong to the argument"),
     (r"\sin{v + 1}", Code::AmbiguousExpression, "{v + 1}", "`(v + 1)`"),
     (r"2e3", Code::AmbiguousExpression, "2e3", r"`2 \cdot 10^{3}`"),

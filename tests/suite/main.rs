@@ -56,6 +56,7 @@ mod patches;
 #[cfg(feature = "render")]
 mod pictures;
 mod polynomial;
+mod readings;
 mod reference;
 mod robustness;
 #[cfg(feature = "cli")]

@@ -45,46 +45,34 @@ fn surface_name(line: &Line<'_>) -> Option<String> {
     }
 }
 
-/// `πt` was two tokens, and so must `pi t` be.
+/// `πt` was two tokens, and so must `pi t` be; `e²(t)` has one reading, and `e^2(t)` would have two.
 fn keep_apart(tokens: &mut [Token<'_>]) {
     let is_word = |token: &Token<'_>| matches!(token.kind, Kind::Word | Kind::Number);
-    let (mut follows_word, mut follows_e) = (false, false);
+    let (mut follows_word, mut follows_number, mut follows_exponent) = (false, false, false);
     for token in tokens {
         token.is_spaced |= follows_word && is_word(token);
-        // `e^2(t)` has two readings, `e²(t)` has one.
-        token.is_spaced |= follows_e && token.kind == Kind::Open;
-        follows_e = token.text.starts_with("e^");
+        token.is_spaced |= follows_exponent && matches!(token.kind, Kind::Open | Kind::Root | Kind::Other);
+        follows_exponent = token.text.starts_with("e^")
+            || (follows_number && token.kind == Kind::Superscript && token.text.starts_with('^'));
         follows_word = matches!(token.kind, Kind::Word | Kind::Superscript);
+        follows_number = token.kind == Kind::Number;
     }
 }
 
-fn to_ascii(tokens: &mut Vec<Token<'_>>) {
-    multiply_brackets(tokens);
+fn to_ascii(tokens: &mut [Token<'_>]) {
     for token in tokens {
         let text = match token.kind {
             Kind::Word if token.text.starts_with('∂') => Cow::Owned(ascii_derivative(&token.text)),
             Kind::Word if !token.text.is_ascii() => Cow::Owned(ascii_word(&token.text)),
             Kind::Superscript => Cow::Owned(format!("^{}", digits(&token.text))),
             Kind::Sign if !token.text.is_ascii() => Cow::Borrowed("-"),
-            Kind::Operator if matches!(&*token.text, "·" | "⋅" | "×") => Cow::Borrowed("*"),
+            Kind::Operator if matches!(&*token.text, "·" | "⋅" | "∙" | "∗" | "×") => Cow::Borrowed("*"),
             Kind::Operator if matches!(&*token.text, "÷" | "∕") => Cow::Borrowed("/"),
             Kind::Relation if token.is("∈") => Cow::Borrowed("in"),
             _ => continue,
         };
         token.text = text;
     }
-}
-
-/// `π(v)` as `π*(v)`: `pi(v)` would be an application.
-fn multiply_brackets(tokens: &mut Vec<Token<'_>>) {
-    let mut spelled: Vec<Token<'_>> = Vec::with_capacity(tokens.len());
-    for token in tokens.drain(..) {
-        if token.kind == Kind::Open && spelled.last().is_some_and(|last| matches!(&*last.text, "π" | "ϖ")) {
-            spelled.push(Token { kind: Kind::Operator, text: Cow::Borrowed("*"), is_spaced: false });
-        }
-        spelled.push(token);
-    }
-    *tokens = spelled;
 }
 
 /// `∂u²∂v²` as `du2dv2`, `∂²S₁` as `d2S1`, `∂p∂q` as `dp dq`: a name goes on with the letters that follow.

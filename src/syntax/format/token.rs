@@ -136,7 +136,7 @@ fn measure(rest: &str) -> (Option<Kind>, usize) {
         '½' | '¼' | '¾' => Kind::Number,
         _ if is_superscript(first) => return (Some(Kind::Superscript), superscripts(rest)),
         '+' | '-' | '−' | '–' => Kind::Sign,
-        '*' | '/' | '^' | '·' | '⋅' | '×' | '÷' | '∕' => Kind::Operator,
+        '*' | '/' | '^' | '·' | '⋅' | '∙' | '∗' | '×' | '÷' | '∕' => Kind::Operator,
         '=' | '∈' => Kind::Relation,
         ',' | ';' => Kind::Comma,
         ':' => Kind::Colon,

@@ -57,7 +57,7 @@ impl Block<'_> {
             )))
     }
 
-    /// The next token, if it could go on with an argument: a factor, an exponent or a divisor.
+    /// The next token, if it could go on with an argument: a factor, an exponent, a product or a divisor.
     fn factor_ahead(&self) -> Option<Token<'_>> {
         let mut at = self.at;
         loop {
@@ -66,10 +66,12 @@ impl Block<'_> {
             let is_factor = match token.kind {
                 TokenKind::LineEnd if !self.ends_rows() => continue,
                 TokenKind::Letter | TokenKind::Number | TokenKind::Open => true,
+                TokenKind::Symbol if ["*", "·", "×"].contains(&token.text) => !self.function_follows(at),
                 TokenKind::Symbol => ["(", "[", "/", "÷", "^", "√"].contains(&token.text),
                 TokenKind::Command => match commands::meaning(token.text)? {
                     Meaning::Nothing => continue,
                     Meaning::Letter(_) | Meaning::Fraction | Meaning::Root | Meaning::Bold => true,
+                    Meaning::Mark("*" | "·" | "×") => !self.function_follows(at),
                     Meaning::Mark(mark) => mark == "(" || mark == "÷",
                     Meaning::Sizing => token.text != "right" && !token.text.ends_with('r'),
                     Meaning::Bar => token.text == "lvert",
@@ -80,6 +82,18 @@ impl Block<'_> {
                 _ => false,
             };
             return is_factor.then_some(token);
+        }
+    }
+
+    /// Whether what stands at `at` begins with a function, which ends the argument before it.
+    fn function_follows(&self, at: usize) -> bool {
+        let Some(token) = token::next(self.source, at).filter(|token| token.kind == TokenKind::Command) else {
+            return false;
+        };
+        match commands::meaning(token.text) {
+            Some(Meaning::Function(_)) => true,
+            Some(Meaning::Upright) => self.is_upright_function(token.span.end),
+            _ => false,
         }
     }
 

@@ -235,6 +235,10 @@ impl<'a> Block<'a> {
                 return Err(unsupported("a derivative with a subscript", token.span)
                     .hint(r"write `\frac{\partial^2}{\partial u^2}`, or `\frac{\partial^2 S}{\partial u^2}`"));
             }
+            "_" if self.previous.is_some_and(|before| before.is_command("log")) => {
+                return Err(unsupported("a logarithm to a base other than 10", token.span)
+                    .hint(r"write `\frac{\ln(…)}{\ln b}`, or `\log_{10}`"));
+            }
             "_" | "'" | "′" => {
                 return Err(unsupported(&format!("a `{}` that follows no letter", token.text), token.span)
                     .hint("subscripts and primes come right after the letter: `b_{1}'`, and its power after them"));

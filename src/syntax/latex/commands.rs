@@ -95,6 +95,11 @@ pub fn advice(name: &str) -> &'static str {
         "int" => "integrals are not part of the language",
         "text" | "mbox" => "words are comments: write them after `%`",
         "pm" | "mp" => "write one equation for each sign",
+        "prime" => "write the prime itself: `h_{0}'`",
+        "sech" => r"write `\frac{1}{\cosh(…)}`",
+        "csch" => r"write `\frac{1}{\sinh(…)}`",
+        "coth" => r"write `\frac{1}{\tanh(…)}`",
+        "le" | "leq" | "ge" | "geq" => "a range is stated in plain text: `domain v in [0, 2π]`",
         "infty" => "boundary data and coefficients are finite",
         _ => "docs/language.md lists what is read",
     }

@@ -1,4 +1,4 @@
-//! Names, fractions, exponents and environments: what takes more than one token.
+//! Names, fractions, roots and environments: what takes more than one token.
 
 use super::block::Block;
 use super::commands::{self, Meaning};
@@ -76,6 +76,9 @@ impl<'a> Block<'a> {
                 TokenKind::Command => match commands::meaning(token.text) {
                     Some(Meaning::Letter(letter)) => word.push_str(&letter),
                     Some(Meaning::Upright | Meaning::Nothing) => {}
+                    // `r_{\max}`
+                    Some(Meaning::Function(_)) => word.push_str(token.text),
+                    None if matches!(token.text, "text" | "textrm") => {}
                     _ => return Err(unsupported("a name that is not of letters and digits", token.span)),
                 },
                 _ => return Err(unsupported("a name that is not of letters and digits", token.span)),
@@ -317,87 +320,9 @@ impl<'a> Block<'a> {
     }
 
     /// Refuses `{}` where TeX would leave a gap.
-    fn check_filled(&self, open: &Token<'_>, what: &str) -> Result<(), Diagnostic> {
+    pub(super) fn check_filled(&self, open: &Token<'_>, what: &str) -> Result<(), Diagnostic> {
         let close = self.peek().filter(|next| next.kind == TokenKind::Close);
         close.map_or(Ok(()), |close| Err(missing(what, open.span.to(close.span))))
-    }
-
-    /// Refuses `v^2^2`, which TeX refuses too; `mark` is the first exponent.
-    fn check_one_exponent(&self, mark: Span) -> Result<(), Diagnostic> {
-        let second = self.peek().filter(|next| next.is_symbol("^"));
-        second.map_or(Ok(()), |second| {
-            Err(Diagnostic::new(Code::AmbiguousExpression, "two exponents of one base can be read in two ways")
-                .at(mark.to(second.span))
-                .hint("write `{a^b}` for the exponent, or brackets round the first power: `(v^a)^b`"))
-        })
-    }
-
-    /// `^2`, `^t`, `^{…}`: as in TeX an exponent without braces is one character.
-    pub(super) fn exponent(&mut self, mark: &Token<'a>) -> Result<(), Diagnostic> {
-        self.mark("^", mark);
-        let Some(next) = self.peek() else { return Ok(()) };
-        if next.kind == TokenKind::Open {
-            return self.exponent_in_braces(&next);
-        }
-        let letter = match (next.kind, commands::meaning(next.text)) {
-            (TokenKind::Letter, _) => Some(next.text.to_owned()),
-            (TokenKind::Number, _) if next.text.len() == 1 => Some(next.text.to_owned()),
-            (TokenKind::Command, Some(Meaning::Letter(letter))) => Some(letter),
-            // A bracket or a fraction is read as any other.
-            (TokenKind::Symbol, _) if next.text == "(" => return Ok(()),
-            (TokenKind::Command, Some(Meaning::Fraction | Meaning::Root | Meaning::Sizing)) => return Ok(()),
-            _ => None,
-        };
-        let is_missing = match next.kind {
-            TokenKind::Close | TokenKind::Break | TokenKind::LineEnd | TokenKind::Dollars => true,
-            TokenKind::Symbol => ",;.=)]&+*/".contains(next.text),
-            TokenKind::Command => ["]", "end", "quad", "qquad", "right"].contains(&next.text),
-            _ => false,
-        };
-        if is_missing {
-            return Err(missing("an exponent", mark.span));
-        }
-        let Some(letter) = letter else {
-            return Err(unsupported("an exponent of several characters without braces", mark.span.to(next.span))
-                .hint("write `^{…}`"));
-        };
-        self.at = next.span.end;
-        self.spelling.put(&letter, next.span, Piece::Word);
-        self.check_one_exponent(mark.span)
-    }
-
-    fn exponent_in_braces(&mut self, open: &Token<'a>) -> Result<(), Diagnostic> {
-        let tokens = std::iter::successors(token::next(self.source, open.span.end), |token| {
-            token::next(self.source, token.span.end)
-        });
-        let tokens: Vec<Token<'_>> = tokens.take(3).collect();
-        let is_minus = |token: &Token<'_>| token.is_symbol("-") || token.is_symbol("−");
-        // A number needs no brackets: orders of derivatives and powers of functions have none.
-        let number = match tokens.as_slice() {
-            [number, close, ..] if close.kind == TokenKind::Close => Some((None, number, close)),
-            [minus, number, close] if is_minus(minus) && close.kind == TokenKind::Close => {
-                Some((Some(minus), number, close))
-            }
-            _ => None,
-        };
-        self.at = open.span.end;
-        self.check_filled(open, "an exponent")?;
-        match number.filter(|(_, number, _)| number.kind == TokenKind::Number) {
-            Some((minus, number, close)) => {
-                if let Some(minus) = minus {
-                    self.mark("-", minus);
-                }
-                self.spelling.put(number.text, number.span, Piece::Word);
-                self.spelling.extend(close.span.end);
-                self.at = close.span.end;
-                self.check_one_exponent(open.span)?;
-            }
-            None => {
-                self.groups.open(Group::Exponent, open.span);
-                self.mark("(", open);
-            }
-        }
-        Ok(())
     }
 
     /// Skips `\tag{…}`.
@@ -488,6 +413,6 @@ impl<'a> Block<'a> {
 }
 
 /// A finding for a group that is empty.
-fn missing(what: &str, span: Span) -> Diagnostic {
+pub(super) fn missing(what: &str, span: Span) -> Diagnostic {
     Diagnostic::new(Code::UnexpectedText, format!("{what} is missing")).at(span).hint("write it between the braces")
 }

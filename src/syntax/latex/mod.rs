@@ -12,6 +12,7 @@ mod argument;
 mod block;
 mod commands;
 mod construct;
+mod exponent;
 mod group;
 mod spelling;
 mod token;
