@@ -151,7 +151,6 @@ codes! {
     LoopOpen = "E0707", Error, Source, "A loop of edges does not close.";
     ApexNotSmooth = "W0708", Warning, Source, "A patch is not smooth at its apex.";
     NotSeparable = "E0709", Error, Unsupported, "A surface is not a sum of products.";
-    NoFormula = "E0710", Error, Unsupported, "A function has no formula in another language.";
     EdgeSidesDiffer = "E0711", Error, Source, "The two sides of a shared edge differ.";
     CopyOntoItself = "E0712", Error, Source, "A copy of a patch lies where the patch does.";
     ShapeLost = "E0713", Error, Source, "Rounding leaves too little of a shape.";

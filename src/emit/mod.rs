@@ -1,25 +1,28 @@
 //! Solved surfaces as stand-alone source code in other languages.
 //!
-//! Input: a [`Formula`], which is a solution over a basis with everything numeric worked out; output: source text
-//! with no dependency but the language's own mathematics. A language is one file with a `ROW` and one line in
-//! [`Language`]; what they share is the [`Formula`] and the lowering of its program in `statements`.
+//! Input: a [`Formula`], which is a solution over a basis or a B-spline with everything numeric worked out, and for a
+//! copy where it is; output: source text with no dependency but the language's own mathematics. A language is one file
+//! with a `ROW` and one line in [`Language`]; what they share is the [`Formula`] and the lowering of programs in `statements`.
 //!
-//! Invariant: every emitted function computes S, S_u and S_v as
+//! Invariant: every emitted function computes S, S_u and S_v, of a sum of products as
 //! `S(u, v, t) = Σ_j F_j(v, t) G_j(u)`, the F_j by the same operations in the same order as
-//! [`eval`](crate::eval), the G_j by Clenshaw's recurrence on the same tables.
+//! [`eval`](crate::eval), the G_j by Clenshaw's recurrence on the same tables; of a B-spline by de Boor's recurrence.
 //!
 //! Absent on purpose: solving. The coefficients belong to one set of parameter values and, for fitted methods of
 //! moving problems, to one instant, which is then part of the function.
 
+mod amplitudes;
 mod c;
 mod formula;
 mod glsl;
 mod numpy;
 mod rust;
 mod statements;
+mod table;
 mod wgsl;
 
-pub use formula::{Formula, amplitude_series};
+pub use amplitudes::amplitude_series;
+pub use formula::{Form, Formula, Placement, Sum};
 
 use crate::diagnostic::{Code, Diagnostic};
 
@@ -85,7 +88,7 @@ impl Language {
 /// [`Code::OutputFailed`] when a number does not fit the language's precision.
 pub fn emit(formula: &Formula, language: Language) -> Result<String, Diagnostic> {
     if language.is_single_precision()
-        && let Some(number) = formula.numbers().find(|number| !(*number as f32).is_finite())
+        && let Some(number) = formula.numbers().into_iter().find(|number| !(*number as f32).is_finite())
     {
         let message = format!("the number {number:?} of this surface is too large for {}", language.description());
         return Err(Diagnostic::new(Code::OutputFailed, message)

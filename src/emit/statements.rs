@@ -4,6 +4,8 @@ use crate::eval::{Op, OpId, Program};
 use crate::expr::{Function, Variable};
 
 use super::Formula;
+use super::table::SplineTable;
+use crate::surface::BsplineSurface;
 
 /// How a language spells what a program does.
 pub(super) struct Spelling {
@@ -19,21 +21,42 @@ pub(super) struct Spelling {
     pub function: fn(Function) -> &'static str,
 }
 
-/// The statements that compute the basis, and an expression for each output of the program.
+/// The statements that compute a program, and an expression for each of its outputs.
 pub(super) struct Statements {
     /// One assignment a line.
     pub lines: Vec<String>,
     /// The value of each output: a name or a number.
     pub outputs: Vec<String>,
+    /// The functions of data that the lines call, each with its name.
+    pub splines: Vec<(String, SplineTable)>,
 }
 
-/// Writes the program of `formula`: names are `v`, `t`, those of parameters, and `r0`, `r1`, ….
-pub(super) fn statements(formula: &Formula, spelling: &Spelling) -> Statements {
-    let program = &formula.program;
-    let mut values: Vec<String> = Vec::with_capacity(program.ops().len());
-    let mut lines = Vec::new();
-    for op in program.ops() {
+/// Writes `program`, whose own names begin with `prefix`: names in it are `u`, `v`, `t`, those of the parameters of
+/// `formula`, and `r0`, `r1`, ….
+pub(super) fn statements(formula: &Formula, program: &Program, prefix: &str, spelling: &Spelling) -> Statements {
+    let ops = program.ops();
+    let mut values: Vec<String> = Vec::with_capacity(ops.len());
+    let (mut lines, mut splines) = (Vec::new(), Vec::new());
+    for op in ops {
         let of = |id: OpId| values.get(id.index()).cloned().unwrap_or_default();
+        let mut spline = |index: usize, operands: &[OpId]| {
+            let Some(call) = program.splines().get(index) else { return String::new() };
+            let constant = |id: &OpId| match ops.get(id.index()) {
+                Some(Op::Constant(value)) => Some(*value),
+                _ => None,
+            };
+            let constants: Vec<Option<f64>> = operands.iter().map(constant).collect();
+            let varying = operands.iter().zip(&constants).filter(|(_, constant)| constant.is_none());
+            let arguments: Vec<String> = varying.map(|(id, _)| of(*id)).collect();
+            let table = SplineTable::new(call, &constants);
+            if arguments.is_empty() {
+                return (spelling.number)(table.coefficients.first().copied().unwrap_or(f64::NAN));
+            }
+            let name = format!("{prefix}_spline_{}", splines.len());
+            let text = format!("{name}({})", arguments.join(", "));
+            splines.push((name, table));
+            text
+        };
         let text = match op {
             Op::Constant(value) => Err((spelling.number)(*value)),
             Op::Parameter(index) => Err(parameter(formula, *index)),
@@ -49,8 +72,8 @@ pub(super) fn statements(formula: &Formula, spelling: &Spelling) -> Statements {
             Op::Div(a, b) => Ok(format!("{} / {}", of(*a), of(*b))),
             Op::Sqrt(a) => Ok(filled(spelling.sqrt, &formula.name, &[of(*a)])),
             Op::Call1(function, a) => Ok(filled((spelling.function)(*function), &formula.name, &[of(*a)])),
-            // Refused by `Formula::new`.
-            Op::Spline1(..) | Op::Spline2(..) => Err("nan".to_owned()),
+            Op::Spline1(index, a) => Ok(spline(*index, &[*a])),
+            Op::Spline2(index, a, b) => Ok(spline(*index, &[*a, *b])),
             Op::Call2(function, a, b) => Ok(filled((spelling.function)(*function), &formula.name, &[of(*a), of(*b)])),
         };
         values.push(text.map_or_else(
@@ -64,7 +87,7 @@ pub(super) fn statements(formula: &Formula, spelling: &Spelling) -> Statements {
         ));
     }
     let outputs = outputs(program, &values);
-    Statements { lines, outputs }
+    Statements { lines, outputs, splines }
 }
 
 fn outputs(program: &Program, values: &[String]) -> Vec<String> {
@@ -97,20 +120,35 @@ pub(super) fn single(value: f64) -> String {
     if value.is_sign_negative() { format!("({value:?})") } else { format!("{value:?}") }
 }
 
+/// Numbers, with `number` each.
+pub(super) fn list(values: &[f64], number: fn(f64) -> String) -> String {
+    values.iter().map(|value| number(*value)).collect::<Vec<_>>().join(", ")
+}
+
 /// The rows of a table: one for each degree, an `x, y, z` for each function.
-pub(super) fn rows(
-    coefficients: &[Vec<f64>],
+pub(super) fn rows<Row: AsRef<[f64]>>(
+    coefficients: &[Row],
     vector: impl Fn(&str, &str, &str) -> String,
     number: fn(f64) -> String,
 ) -> Vec<String> {
-    let row = |row: &Vec<f64>| {
-        let vectors = row.chunks(3).filter_map(|chunk| match chunk {
+    let row = |row: &Row| {
+        let vectors = row.as_ref().chunks(3).filter_map(|chunk| match chunk {
             [x, y, z] => Some(vector(&number(*x), &number(*y), &number(*z))),
             _ => None,
         });
         vectors.collect::<Vec<_>>().join(", ")
     };
     coefficients.iter().map(row).collect()
+}
+
+/// The rows of a net: one for each i, an `x, y, z` for each j.
+pub(super) fn net_rows(
+    surface: &BsplineSurface,
+    vector: impl Fn(&str, &str, &str) -> String,
+    number: fn(f64) -> String,
+) -> Vec<String> {
+    let flat: Vec<Vec<f64>> = surface.rows().map(|row| row.iter().flatten().copied().collect()).collect();
+    rows(&flat, vector, number)
 }
 
 /// `lines` behind `marker`.

@@ -101,7 +101,7 @@ impl Solution {
             let message = "this surface is no sum of products of functions of u and of v, t";
             Diagnostic::new(Code::NotSeparable, message)
                 .hint("patches with constraints at fixed v or with deformations are none")
-                .hint("write a B-spline (`fit -o FILE.json`), or values and derivatives on a grid (`mesh -o FILE.npz`)")
+                .hint("state how far a B-spline may be off, which is then written instead: --within LENGTH")
         })
     }
 }

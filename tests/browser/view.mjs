@@ -3,7 +3,7 @@
 
 import { copyFileSync, readFileSync, renameSync, writeFileSync } from "node:fs";
 import { basename, join } from "node:path";
-import { check, deviation, evaluate, example, examples, launch, patchesOf, runAll, serve, test, trimline } from "./harness.mjs";
+import { check, deviation, evaluate, example, examples, launch, partsOf, runAll, serve, test, trimline } from "./harness.mjs";
 
 const browser = await launch();
 
@@ -51,9 +51,13 @@ for (const spec of examples) {
     check(drawn > 0.05 * width * height, `only ${drawn} of ${width * height} pixels are drawn`);
     const { time } = await facts(page);
     const patches = await page.evaluate(() => window.__trimline.patches());
-    check(String(patches.map(({ name }) => name)) === String(patchesOf(spec)), "the patches are others");
-    for (const [index, { name, domain: [[from, to], [low, high]], kind }] of patches.entries()) {
-      check(deviation([low, high], domain(spec)) < 1e-15, `v in ${low}, ${high}`);
+    check(String(patches.map(({ name }) => name)) === String(partsOf(spec)), "the patches are others");
+    // Of a model with many parts the first, and the last, which are copies.
+    const looked = [...patches.entries()].filter(([index]) => index < 6 || index >= patches.length - 2);
+    const isPlain = !/^(bspline|mirror|repeat) /m.test(readFileSync(spec, "utf8"));
+    for (const [index, { name, domain: [[from, to], [low, high]], kind }] of looked) {
+      // Nets and the patches of models have domains of their own.
+      if (isPlain) check(deviation([low, high], domain(spec)) < 1e-15, `v in ${low}, ${high}`);
       const options = ["--patch", name];
       for (const [across, along] of [[0, 0.1], [0.37, 0.83], [1, 0.5]]) {
         const [u, v] = [from + across * (to - from), low + along * (high - low)];
@@ -61,7 +65,7 @@ for (const spec of examples) {
         // The series agree to 1e-14 of the size, the browser's functions with the library's to units in the last place.
         // Vertices from the server are joined by straight lines: 128 x 256 of them, second differences below 1e-3.
         const found = await pointAt(page, u, v, index);
-        check(deviation(found, expected) < (kind === "separable" ? 1e-10 : 1e-3), `${name} at ${u}, ${v}: ${found} instead of ${expected}`);
+        check(deviation(found, expected) < (kind === "sampled" ? 1e-3 : 1e-10), `${name} at ${u}, ${v}: ${found} instead of ${expected}`);
       }
       const drawnVertex = await page.evaluate((index) => window.__trimline.vertex(32, 64, index), index);
       const [u, v] = [from + (32 / 128) * (to - from), low + (64 / 256) * (high - low)];
@@ -208,6 +212,65 @@ test("patches_of_both_kinds_move_together", (folder) => {
   });
 });
 
+// The colour in the middle of the picture.
+const middle = (page) => page.evaluate(() => {
+  window.__trimline.pixels();
+  const canvas = document.getElementById("canvas"), context = document.createElement("canvas").getContext("2d");
+  context.drawImage(canvas, canvas.width / 2, canvas.height / 2, 1, 1, 0, 0, 1, 1);
+  return Array.from(context.getImageData(0, 0, 1, 1).data);
+});
+
+test("mirror_image_is_drawn_where_it_is_and_shows_the_side_that_its_original_shows", async (folder) => {
+  const spec = join(folder, "mirrored.trim");
+  writeFileSync(spec, `patch tube {
+    at u = 0: S = [cos v, 3 + t + sin v, 0], dS/du = [0, 0, 1]
+    at u = 1: S = [cos v, 3 + t + sin v, 1], dS/du = [0, 0, 1]
+}
+mirror tube in y = 0.5
+`);
+  const blueness = [];
+  for (const name of ["tube", "tube_mirrored"]) {
+    await viewing(spec, async (page) => {
+      const [red, , blue] = await middle(page);
+      blueness.push(blue - red);
+      await setInput(page, "#time", "0.5");
+      const [expected] = evaluate(spec, [[0.5, Math.PI / 2, 0.5]], ["--patch", name]);
+      for (const found of [await pointAt(page, 0.5, Math.PI / 2), await page.evaluate(() => window.__trimline.vertex(64, 64))]) {
+        check(deviation(found, expected) < 1e-6, `${name} at ${found} instead of ${expected}`);
+      }
+    }, { options: ["--patch", name, "--method", "exact"], hash: "#off=arrows,trimlines,edges" });
+  }
+  // From outside both show S_v x S_u, which is brown.
+  check(blueness.every((difference) => difference < -20), `blue is ahead of red by ${blueness}`);
+});
+
+test("net_that_moves_is_asked_for_at_an_instant_and_drawn_as_eval_gives_it", (folder) => {
+  const spec = join(folder, "net.trim");
+  writeFileSync(spec, `param k = 1 in [0.5, 2]
+surface X(u, v, t) = [cosh(u) cos(v), k cosh(u) sin(v) + t, u + 0.1 t u v] with u in [0, 1], v in [0, 3]
+bspline sheet { domain u in [0, 1], v in [0, 3]
+    knots clamped in u, v
+    net 5 x 7 from surface X sampled greville }
+`);
+  return viewing(spec, async (page) => {
+    const [{ kind }] = await page.evaluate(() => window.__trimline.patches());
+    check(kind === "net", kind);
+    await setInput(page, "#time", "0.75");
+    await page.waitForFunction(() => window.__trimline.drawnTime === 0.75);
+    const place = [[0.5, 1.5, 0.75]];
+    check(deviation(await pointAt(page, 0.5, 1.5), evaluate(spec, place)[0]) < 1e-14, "the net of another instant");
+    check(deviation(await vertexAt(page, 64, 128), evaluate(spec, place)[0]) < 1e-6, "the vertex of another instant");
+    const before = await facts(page);
+    await setInput(page, "[data-name=k] input[type=range]", "1.75");
+    await answered(page, before);
+    check(deviation(await pointAt(page, 0.5, 1.5), evaluate(spec, place, ["--set", "k=1.75"])[0]) < 1e-14, "the slider is lost");
+    // Curvature needs second derivatives, which are de Boor's too.
+    const picture = await pixels(page);
+    await setInput(page, "#shade", "mean curvature", "change");
+    check((await pixels(page)).hash !== picture.hash, "the picture is the same");
+  });
+});
+
 for (const name of ["deformed", "four_sided"]) {
   test(`every_colouring_of_${name}_draws_its_own_picture`, () => viewing(example(name), async (page) => {
     const seen = new Set();
@@ -232,7 +295,7 @@ test("saved_edit_is_drawn_with_the_same_camera", (folder) => {
   return viewing(spec, async (page) => {
     const text = readFileSync(spec, "utf8");
     const { camera } = await facts(page);
-    const spans = [], servers = [];
+    const spans = [], servers = [], readings = [];
     for (let edit = 1; edit <= 9; edit++) {
       const [before, picture] = [await facts(page), await pixels(page)];
       const began = Date.now();
@@ -241,12 +304,17 @@ test("saved_edit_is_drawn_with_the_same_camera", (folder) => {
       const after = await facts(page);
       spans.push(after.drawnAt - began);
       servers.push(after.serverMilliseconds);
+      readings.push(after.readingMilliseconds);
+      check(readings.at(-1) >= 10 && readings.at(-1) + servers.at(-1) < spans.at(-1), "the clocks of page and server contradict each other");
       check((await pixels(page)).hash !== picture.hash, "the picture is the same");
       check(after.camera === camera, "the camera has moved");
     }
     const median = (numbers) => numbers.sort((a, b) => a - b)[Math.floor(numbers.length / 2)];
-    console.log(`        from saving to the new picture of 128x256: median ${median(spans).toFixed(0)} ms (worst ${Math.max(...spans).toFixed(0)} ms),`,
-      `of which the answer ${median(servers).toFixed(1)} ms`);
+    console.log(`        from saving to the new picture of 128x256: fastest ${Math.min(...spans).toFixed(0)} ms, median ${median(spans).toFixed(0)} ms`,
+      `(worst ${Math.max(...spans).toFixed(0)} ms), of which by the server's clock ${median(readings).toFixed(1)} ms until the text was compiled`,
+      `(10 ms of them to see that the editor has finished) and ${median(servers).toFixed(1)} ms for the answer`);
+    // The fastest, since whatever else the machine does only adds to it.
+    check(Math.min(...spans) < 100, "100 ms are over before there is a new picture");
   }, { hash: "#grid=128x256" });
 });
 

@@ -7,12 +7,15 @@ import csv
 import io
 import json
 import math
+import os
 import pathlib
+import pty
 import re
 import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import xml.etree.ElementTree as xml
 
 import lib3mf
@@ -313,6 +316,41 @@ def several_patches(trimline, spec, folder):
         yield read.__name__, lambda: read(patches, patches[0].mesh(f"{spec.stem}.{extension}", *frames))
 
 
+def seconds_and_said(trimline, spec, folder, frames, stderr):
+    """Draws an animation; how long that took, and what was written to `stderr`, a pair of ends, the command's second."""
+    ours, its = stderr
+    arguments = [trimline, "render", str(spec), "-o", str(folder / "moving.gif"), "--animate", "--size", "80x60"]
+    began = time.monotonic()
+    with subprocess.Popen([*arguments, "--frames", str(frames)], stderr=its) as command:
+        os.close(its)
+        said = b""
+        while True:
+            try:
+                part = os.read(ours, 65536)
+            except OSError:  # A terminal whose other end is closed.
+                break
+            if not part:
+                break
+            said += part
+    os.close(ours)
+    equal(command.returncode, 0, "status")
+    return time.monotonic() - began, said.decode()
+
+
+def progress(trimline, spec, folder):
+    """A bar is drawn on a terminal, and only there, when the work takes longer than a second."""
+    bar = "\N{FULL BLOCK}"
+    seconds, said = seconds_and_said(trimline, spec, folder, 2, pty.openpty())
+    assert "2 frames" in said and (bar not in said or seconds > 1), said
+    seconds, frames = 0, 50
+    while seconds < 2.5:
+        frames *= 2
+        seconds, said = seconds_and_said(trimline, spec, folder, frames, pty.openpty())
+    assert bar in said and f"/{frames} frames" in said, said
+    _, said = seconds_and_said(trimline, spec, folder, frames, os.pipe())
+    assert bar not in said and f"{frames} frames" in said, said
+
+
 def main(trimline, examples):
     examples = pathlib.Path(examples)
     readers = [glb, glb_played, glb_still, usd, npz, vtp, threemf, ply, obj, stl, pictures]
@@ -332,6 +370,7 @@ def main(trimline, examples):
                 if reader in (glb, glb_played, usd) and frames == 1:
                     continue
                 report(label, reader.__name__, lambda: reader(case))
+        report("eq31_32", "progress", lambda: progress(trimline, examples / "eq31_32.trim", folder))
         for name, check in several_patches(trimline, examples / "eq24.trim", folder):
             report("eq24", name, check)
 

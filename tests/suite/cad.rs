@@ -320,21 +320,24 @@ fn iges_parameters(text: &str) -> Vec<Vec<String>> {
 fn iges_holds_the_exact_numbers_in_the_order_of_entity_128() {
     let one = surface(5, [3, 2], [6, 5]).clamped();
     let far = net(4, 4, |i, j| [i as f64 * -1e300, j as f64 * 1e299, (i + j) as f64 * 1e-300]);
-    let text = bytes("α part, with; marks", &[face("one", &one), face("far", &far)], CadFormat::Iges);
-    let parameters = iges_parameters(&text);
-    assert_eq!(parameters.len(), 2);
-    for (fields, surface) in parameters.iter().zip([&one, &far]) {
-        let [u, v] = surface.knots();
-        let heads = [128, u.points() - 1, v.points() - 1, u.degree(), v.degree(), 0, 0, 1, 0, 0];
-        assert_eq!(fields[..10], heads.map(|number| number.to_string()));
-        let number = |field: &String| -> f64 { field.replace('D', "e").parse().unwrap() };
-        let numbers: Vec<f64> = fields[10..fields.len() - 2].iter().map(number).collect();
-        let columns = surface.transposed();
-        let mut expected: Vec<f64> = u.as_slice().iter().chain(v.as_slice()).copied().collect();
-        expected.extend(vec![1.0; surface.net().len()]);
-        expected.extend(columns.net().iter().flatten());
-        expected.extend([u.domain(), v.domain()].concat());
-        assert_eq!(numbers, expected);
+    // A file each: beside a face of 1e300 one of 10 is a point.
+    for surface in [&one, &far] {
+        let text = bytes("α part, with; marks", &[face("one", surface), face("two", surface)], CadFormat::Iges);
+        let parameters = iges_parameters(&text);
+        assert_eq!(parameters.len(), 2);
+        for fields in &parameters {
+            let [u, v] = surface.knots();
+            let heads = [128, u.points() - 1, v.points() - 1, u.degree(), v.degree(), 0, 0, 1, 0, 0];
+            assert_eq!(fields[..10], heads.map(|number| number.to_string()));
+            let number = |field: &String| -> f64 { field.replace('D', "e").parse().unwrap() };
+            let numbers: Vec<f64> = fields[10..fields.len() - 2].iter().map(number).collect();
+            let columns = surface.transposed();
+            let mut expected: Vec<f64> = u.as_slice().iter().chain(v.as_slice()).copied().collect();
+            expected.extend(vec![1.0; surface.net().len()]);
+            expected.extend(columns.net().iter().flatten());
+            expected.extend([u.domain(), v.domain()].concat());
+            assert_eq!(numbers, expected);
+        }
     }
 }
 

@@ -31,11 +31,7 @@ fn every_command_takes_the_files_that_lie_beside_the_spec() {
     done(&trimline(&["morph", &spec, &spec, "--steps", "1"]));
     done(&trimline(&["fit", &spec, "-o", &path("ring.json"), "--tolerance", "1e-2"]));
     done(&trimline(&["fmt", &spec, "--check"]));
-    let emitted = trimline(&["emit", &spec, "--lang", "c"]);
-    assert_eq!(status(&emitted), 1);
-    assert!(text(&emitted.stderr).contains("E0710"), "{}", text(&emitted.stderr));
-    let series = ["emit", &spec, "--lang", "c", "--method", "fourier", "--remainder", "off", "--modes", "8"];
-    assert!(done(&trimline(&series)).contains("spec_surface"));
+    assert!(done(&trimline(&["emit", &spec, "--lang", "c"])).contains("spec_surface"));
     done(&trimline(&["check", &example("measured.trim")]));
 }
 

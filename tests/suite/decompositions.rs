@@ -225,8 +225,8 @@ fn sine_of_minus_v_is_minus_sine_of_v() {
 
 #[test]
 fn exponential_of_a_sum_is_one_function() {
-    assert_eq!(terms_of("e^(a + v)"), pairs(&[("exp(a + v)", "1")]));
-    assert_eq!(terms_of("e^(2 a + b v - t)"), pairs(&[("exp(2*a - t + b*v)", "1")]));
+    assert_eq!(terms_of("e^(a + v)"), pairs(&[("exp(v + a)", "1")]));
+    assert_eq!(terms_of("e^(2 a + b v - t)"), pairs(&[("exp(-t + 2*a + b*v)", "1")]));
     assert_eq!(terms_of("e^(2(v + 1)) + e^(2v + 2)"), pairs(&[("exp(2 + 2*v)", "2")]));
 }
 
@@ -236,7 +236,7 @@ fn exponents_that_cancel_go_to_the_coefficient() {
     assert_eq!(terms_of("(e^(a + v) + t) e^-v"), pairs(&[("1", "exp(a)"), ("t*exp(-v)", "1")]));
     assert_eq!(
         terms_of("(e^(a + v) + 1) (e^-v sin t + 2)"),
-        pairs(&[("sin(t)", "exp(a)"), ("exp(a + v)", "2"), ("sin(t)*exp(-v)", "1"), ("1", "2")])
+        pairs(&[("sin(t)", "exp(a)"), ("exp(v + a)", "2"), ("exp(-v)*sin(t)", "1"), ("1", "2")])
     );
     assert_eq!(terms_of("e^((v + 1)^2 - v^2 - 2v)"), pairs(&[("1", "e")]));
 }

@@ -41,7 +41,6 @@ const ELSEWHERE: &[(Code, &str)] = &[
     (Code::TermsTooFew, "tests of the method `four_sided`"),
     (Code::ShapeLost, "tests of deformations and of copies, which know the size of the solution"),
     (Code::NotSeparable, "tests of specs with four sides"),
-    (Code::NoFormula, "tests of curves"),
     (Code::ApexNotSmooth, "tests of patches with an apex"),
     (Code::HostUnsupported, "a machine without machine code"),
     (Code::OutputFailed, "a full disk"),

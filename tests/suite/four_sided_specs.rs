@@ -55,7 +55,7 @@ fn spec_with_a_deformation_agrees_with_the_reference() {
 }
 
 #[test]
-fn specs_without_separable_surfaces_are_checked_and_meshed_but_not_emitted() {
+fn specs_without_separable_surfaces_are_checked_and_meshed_and_emitted_as_splines_when_told_how_near() {
     for spec in ["four_sided.trim", "deformed.trim"] {
         let folder = Folder::new();
         done(&trimline(&["check", &example(spec)]));
@@ -64,7 +64,14 @@ fn specs_without_separable_surfaces_are_checked_and_meshed_but_not_emitted() {
         assert!(std::fs::metadata(&mesh).expect("a mesh").len() > 1000);
         let refused = trimline(&["emit", &example(spec), "--lang", "c"]);
         assert_eq!(status(&refused), 1, "{}", text(&refused.stderr));
-        assert!(text(&refused.stderr).contains("E0709"), "{}", text(&refused.stderr));
+        let errors = text(&refused.stderr);
+        assert!(errors.contains("E0709") && errors.contains("--within"), "{errors}");
+        let emitted = done(&trimline(&["emit", &example(spec), "--lang", "c", "--within", "1e-5"]));
+        let stated = emitted.split("at most ").nth(1).and_then(|rest| rest.split(' ').next());
+        let deviation: f64 = stated.and_then(|text| text.parse().ok()).expect("a deviation");
+        assert!(deviation > 0.0 && deviation <= 1e-5, "{deviation}");
+        let refused = trimline(&["emit", &example(spec), "--lang", "c", "--within", "-1"]);
+        assert!(status(&refused) == 1 && text(&refused.stderr).contains("no positive length"));
     }
 }
 

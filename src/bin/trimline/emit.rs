@@ -5,14 +5,16 @@ use std::path::PathBuf;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 
+use trimline::diagnostic::{Code, Diagnostic};
 use trimline::emit::{Formula, Language, emit};
+use trimline::fit::{Settings, Target, fit};
 
 use crate::Outcome;
 use crate::failure::{Failure, print_warnings};
-use crate::options::{Collocation, Solving, Terminal};
+use crate::options::{Collocation, Solving, Terminal, option_finding};
 use crate::output::{self, Files};
-use crate::parts::Located;
-use crate::workflow::Spec;
+use crate::parts::{Located, Part};
+use crate::workflow::{Solved, Spec};
 
 #[derive(Args)]
 pub struct Arguments {
@@ -29,6 +31,10 @@ pub struct Arguments {
     #[arg(long, value_name = "LANGUAGE", value_parser = PossibleValuesParser::new(Language::ALL.iter().map(|l| l.name())))]
     lang: String,
 
+    /// How far a B-spline may be from a patch that has no formula, and is written as one.
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    within: Option<String>,
+
     /// The file, instead of standard output.
     #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -39,21 +45,15 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
         return Err(Failure::Usage(format!("there is no language `{}`", arguments.lang)));
     };
     let spec = Spec::read(&arguments.spec, &arguments.solving.reading)?;
-    spec.without_nets("emit")?;
-    if spec.patches.is_empty() {
-        spec.without_copies("emit")?;
-    }
-    let [patch] = spec.patches.as_slice() else {
-        let names: Vec<&str> = spec.patches.iter().map(|patch| patch.name.as_str()).collect();
+    let parts = spec.parts(&arguments.solving, arguments.collocation.points.as_deref())?;
+    let [part] = parts.as_slice() else {
+        let names: Vec<&str> = parts.iter().map(Located::name).collect();
         let message = "a file holds one patch: name it with --patch";
         return Err(Failure::Usage(format!("{message}; patches: {}", names.join(", "))));
     };
-    let patched = spec.prepare(patch, &arguments.solving, arguments.collocation.points.as_deref())?;
-    let solved = spec.solve(&patched, patched.instant(arguments.solving.time)?)?;
-    print_warnings(&solved.solution.report.warnings, &spec.source, terminal);
-    let formula = |surface| Formula::new(&patch.name, &spec.problem, surface, patched.prepared.domain);
-    let text = solved.solution.separable().and_then(formula).and_then(|formula| emit(&formula, language));
-    let text = text.map_err(|finding| spec.fault(finding.at(patched.prepared.patch().boundary_origin())))?;
+    let within = arguments.within.as_deref().map(length).transpose()?;
+    let formula = formula(&spec, part, part.instant(arguments.solving.time)?, within, terminal)?;
+    let text = emit(&formula, language).map_err(|finding| spec.fault(finding))?;
     match &arguments.output {
         None => output::print(&text),
         Some(path) => {
@@ -64,4 +64,50 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
             files.keep()
         }
     }
+}
+
+/// The formula of a part at `time`; with `within`, of one that has none, a B-spline that is no farther away than that.
+fn formula(spec: &Spec, part: &Part, time: f64, within: Option<f64>, terminal: &Terminal) -> Result<Formula, Failure> {
+    let domain = *part.domain();
+    match part {
+        Part::Copy(copied) => {
+            let original = formula(spec, &copied.original, time, within, terminal)?;
+            let is_reflection = copied.placement.is_reflection(spec.bindings.as_slice(), time);
+            let is_reflection = is_reflection.map_err(|finding| spec.fault(finding))?;
+            Ok(original.copied(&spec.problem, &spec.bindings, &copied.copy, is_reflection))
+        }
+        Part::Net(_) => {
+            let shape = spec.shape(part, time)?;
+            print_warnings(&shape.warnings, &spec.source, terminal);
+            let net = shape.net.ok_or_else(|| Failure::Machine(format!("`{}` is no net", part.name())))?;
+            Ok(Formula::of_net(part.name(), net.filled.surface, domain, net.surface.instant(), None))
+        }
+        Part::Patch(patched) => {
+            let Solved { solution, .. } = spec.solve(patched, time)?;
+            print_warnings(&solution.report.warnings, &spec.source, terminal);
+            let exact = |surface| Formula::new(part.name(), &spec.problem, surface, domain);
+            let patch = patched.prepared.patch();
+            let fault = |finding: Diagnostic| spec.fault(finding.at(patch.boundary_origin()));
+            match (solution.separable().and_then(exact), within) {
+                (Ok(formula), _) => Ok(formula),
+                (Err(finding), None) => Err(fault(finding)),
+                (Err(_), tolerance) => {
+                    let target = Target { name: part.name(), surface: &*solution.surface, u: domain.u, v: domain.v };
+                    let settings = Settings { tolerance, ..Settings::default() };
+                    let fitted = fit(&[target], time, &settings, &spec.limits).map_err(fault)?.into_iter().next();
+                    let fitted = fitted.ok_or_else(|| Failure::Machine("a patch was not fitted".to_owned()))?;
+                    let instant = patch.moves(&spec.problem.graph).then_some(time);
+                    Ok(Formula::of_net(part.name(), fitted.surface, domain, instant, Some(fitted.deviation)))
+                }
+            }
+        }
+    }
+}
+
+fn length(text: &str) -> Result<f64, Failure> {
+    let number = text.parse::<f64>().ok().filter(|number| number.is_finite() && *number > 0.0);
+    number.ok_or_else(|| {
+        let finding = Diagnostic::new(Code::SettingOutOfRange, format!("`{text}` is no positive length"));
+        option_finding("within", text, finding.hint("for example --within 1e-6"))
+    })
 }

@@ -205,7 +205,7 @@ impl Spec {
         let Some(net) = self.nets.first() else { return Ok(()) };
         let message = format!("`{command}` is for patches, and `{}` is a B-spline net", net.name);
         let finding = Diagnostic::new(Code::UnsupportedByMethod, message).at(net.origin);
-        let advice = "`check`, `solve`, `eval`, `mesh`, `render` and `fit` take nets; choose a patch with --patch";
+        let advice = "`check`, `solve`, `eval`, `mesh`, `render`, `view`, `fit` and `emit` take nets; choose a patch with --patch";
         Err(self.fault(finding.hint(advice)))
     }
 }

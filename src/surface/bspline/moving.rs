@@ -28,6 +28,12 @@ impl MovingBspline {
         MovingBspline { orders: std::iter::once(surface).chain(rates).collect(), instant: Some(instant) }
     }
 
+    /// The only instant at which it holds; `None` for a surface that rests.
+    #[must_use]
+    pub fn instant(&self) -> Option<f64> {
+        self.instant
+    }
+
     /// The net and knots behind a derivative in t; `None` where it is zero.
     fn of_order(&self, order: usize) -> Result<Option<&BsplineSurface>, Diagnostic> {
         match (self.orders.get(order), self.instant) {

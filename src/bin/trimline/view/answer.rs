@@ -2,7 +2,8 @@
 //!
 //! A patch that is `S(u, v, t) = Σ_j F_j(v, t) G_j(u)` travels as that: the F_j as a straight-line program with their
 //! derivatives in v, the G_j as Chebyshev series. So the page draws it at any resolution and any t without asking again.
-//! Any other patch is [`Form::Sampled`]: the page asks for its vertices (see `vertices`). Boundary data are programs.
+//! B-spline nets travel as knots and control points. Any other patch is [`Form::Sampled`]: the page asks for its vertices
+//! (see `vertices`). A copy is its original and a placement. Boundary data and placements are programs.
 
 use std::sync::Arc;
 use std::time::Instant;
@@ -11,21 +12,23 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 use trimline::diagnostic::Diagnostic;
-use trimline::emit::amplitude_series;
-use trimline::eval::{Op, OpId, Program};
+use trimline::eval::Program;
 use trimline::export::Format;
-use trimline::expr::{Derivative, ExprId, Graph, Notation, SplineCall, unicode_name};
+use trimline::expr::{ExprId, Graph, Notation, unicode_name};
 use trimline::limits::Limits;
-use trimline::method::Solution;
-use trimline::numeric::ChebyshevSeries;
-use trimline::problem::{DomainValues, Explanation, ParameterKind, Patch as StatedPatch};
+use trimline::net::METHOD;
+use trimline::problem::{Explanation, ParameterKind, Patch as StatedPatch};
+use trimline::surface::KnotVector;
 use trimline::verify::verify_joins;
 
 use super::finding::Finding;
+use super::form::{Form, program};
 use super::live::{Answerable, Live};
+use super::pieces::{Of, Piece};
 use super::server::Question;
 use crate::failure::Failure;
 use crate::joins::{self, JoinReport};
+use crate::parts::Located;
 use crate::seams::{self, SeamReport};
 use crate::workflow::{Patched, Solved, Spec};
 
@@ -44,6 +47,8 @@ pub struct Scene {
     formats: Vec<&'static str>,
     /// From the question to the answer.
     milliseconds: f64,
+    /// From the first sign of the last save until its text was read and compiled.
+    reading_milliseconds: f64,
 }
 
 #[derive(Serialize)]
@@ -88,32 +93,17 @@ struct Patch {
     /// The value of every symbol of the programs.
     symbols: Vec<f64>,
     form: Form,
-    /// Constraints at fixed u, then those at fixed v.
-    boundary: [Boundary; 2],
+    /// Of a copy: the rows of the matrix that turns what `form` gives, then the vector that moves it, in t.
+    placement: Option<Value>,
+    /// Constraints at fixed u, then those at fixed v; of a copy, those of its original, which `placement` moves as well.
+    boundary: Vec<Boundary>,
     /// Ranges of u and v of its deformations.
     regions: Vec<[[f64; 2]; 2]>,
-    /// The problem as understood, in LaTeX.
+    /// The problem as understood, in LaTeX; of a copy only if its original is not shown.
     mathematics: Vec<String>,
     functions: Vec<String>,
     report: Value,
     joins: Vec<JoinReport>,
-}
-
-/// How the page comes to a patch's vertices.
-#[derive(Serialize)]
-#[serde(tag = "kind", rename_all = "lowercase")]
-enum Form {
-    /// It evaluates a sum of products.
-    Separable {
-        /// Whether that holds at the patch's instant only.
-        is_instant: bool,
-        /// F_1 …, then their first derivatives in v, then the second where they exist.
-        basis: Value,
-        count: usize,
-        amplitudes: Series,
-    },
-    /// It asks for them.
-    Sampled,
 }
 
 /// The constraints at fixed values of one parameter.
@@ -132,17 +122,11 @@ struct Condition {
     order: usize,
 }
 
-/// A Chebyshev series: a row for each degree.
-#[derive(Serialize)]
-struct Series {
-    range: [f64; 2],
-    coefficients: Vec<Vec<f64>>,
-}
-
 impl Scene {
     /// The scene at the page's instant and values.
     pub fn of(live: &Live, question: &Question) -> Scene {
         let start = Instant::now();
+        let reading_milliseconds = 1e3 * live.reading().as_secs_f64();
         live.answer(&question.changes, question.time, |answerable, failure| {
             let mut findings = failure.map(Finding::of_failure).unwrap_or_default();
             let solved = match answerable.map(|answerable| answerable.and_then(|it| SolvedScene::of(&it))) {
@@ -164,6 +148,7 @@ impl Scene {
                 solved,
                 formats: Format::ALL.iter().map(|format| format.extension()).collect(),
                 milliseconds: 1e3 * start.elapsed().as_secs_f64(),
+                reading_milliseconds,
             }
         })
     }
@@ -174,11 +159,19 @@ impl SolvedScene {
         let spec = answerable.spec;
         let mut warnings = Vec::new();
         let mut patches = Vec::new();
-        for (patched, solved) in &answerable.patches {
-            let found = &solved.solution.report.warnings;
-            warnings.extend(found.iter().map(|warning| Finding::new(warning, Some(&spec.source))));
-            let joins = joins(spec, patched, solved)?;
-            patches.push(patch(spec, patched, solved, joins).map_err(|finding| spec.fault(finding))?);
+        let mut last = None;
+        for piece in &answerable.pieces {
+            // What is to be said of a copy is said of its original, which stands before it if it is shown.
+            let is_first = last.is_none_or(|last| last < piece.original);
+            if is_first {
+                last = Some(piece.original);
+                let found = match piece.of {
+                    Of::Patch(_, solved) => &solved.solution.report.warnings,
+                    Of::Net(_, solved) => &solved.filled.warnings,
+                };
+                warnings.extend(found.iter().map(|warning| Finding::new(warning, Some(&spec.source))));
+            }
+            patches.push(patch(answerable, piece, is_first)?);
         }
         let parameters = parameters(spec).map_err(|finding| spec.fault(finding))?;
         let (surfaces, seams) = (primaries(answerable)?, seams(answerable)?);
@@ -189,12 +182,12 @@ impl SolvedScene {
 
 /// The primary surfaces over their stated ranges; over those of the first patch where none is stated.
 fn primaries(answerable: &Answerable<'_>) -> Result<Vec<Primary>, Failure> {
-    let (spec, Some((first, _))) = (answerable.spec, answerable.patches.first()) else { return Ok(Vec::new()) };
+    let (spec, Some(first)) = (answerable.spec, answerable.pieces.first()) else { return Ok(Vec::new()) };
     let mut all = Vec::with_capacity(spec.problem.surfaces.len());
     for primary in &spec.problem.surfaces {
         all.push(Primary {
             name: primary.name.clone(),
-            ranges: spec.ranges_of(primary, [first.prepared.domain.u, first.prepared.domain.v])?,
+            ranges: spec.ranges_of(primary, [first.domain().u, first.domain().v])?,
             symbols: spec.bindings.as_slice().to_vec(),
             position: program(&Program::compile(&spec.problem.graph, &primary.position)),
         });
@@ -204,13 +197,13 @@ fn primaries(answerable: &Answerable<'_>) -> Result<Vec<Primary>, Failure> {
 
 /// Where patches meet at the page's instant; none are looked for between the ends of a single patch.
 pub fn seams(answerable: &Answerable<'_>) -> Result<Vec<SeamReport>, Failure> {
-    let (spec, patches) = (answerable.spec, &answerable.patches);
-    if patches.len() < 2 && spec.problem.seams.is_empty() {
+    let (spec, pieces) = (answerable.spec, &answerable.pieces);
+    if pieces.len() < 2 && spec.problem.seams.is_empty() {
         return Ok(Vec::new());
     }
-    let patched: Vec<&Patched> = patches.iter().map(|(patched, _)| *patched).collect();
-    let surfaces = |_| Ok(patches.iter().map(|(_, solved)| Arc::clone(&solved.solution.surface)).collect());
-    seams::measure(spec, &patched, &[answerable.time], surfaces).map(|(seams, _)| seams)
+    let located: Vec<&Piece<'_>> = pieces.iter().collect();
+    let surfaces = |_| Ok(pieces.iter().map(|piece| Arc::clone(&piece.surface)).collect());
+    seams::measure(spec, &located, &[answerable.time], surfaces).map(|(seams, _)| seams)
 }
 
 fn joins(spec: &Spec, patched: &Patched, solved: &Solved) -> Result<Vec<JoinReport>, Failure> {
@@ -239,44 +232,53 @@ fn parameters(spec: &Spec) -> Result<Vec<Parameter>, Diagnostic> {
     Ok(all)
 }
 
-fn patch(spec: &Spec, patched: &Patched, solved: &Solved, joins: Vec<JoinReport>) -> Result<Patch, Diagnostic> {
-    let prepared = &patched.prepared;
-    let (stated, domain) = (prepared.patch(), prepared.domain);
-    let decomposition = &prepared.decomposition;
-    let functions = decomposition.basis.iter();
+/// A part; `is_first` says that its original was not described before.
+fn patch(answerable: &Answerable<'_>, piece: &Piece<'_>, is_first: bool) -> Result<Patch, Failure> {
+    let (spec, domain) = (answerable.spec, piece.domain());
+    let placement = piece.copy.map(|copy| program(&Program::compile(&spec.problem.graph, &copy.placement.entries())));
+    let mut patch = Patch {
+        name: piece.name().to_owned(),
+        domain: [domain.u, domain.v, domain.t],
+        time: answerable.time,
+        symbols: spec.bindings.as_slice().to_vec(),
+        form: Form::of(piece),
+        placement,
+        boundary: Vec::new(),
+        regions: Vec::new(),
+        mathematics: Vec::new(),
+        functions: Vec::new(),
+        report: report(piece),
+        joins: Vec::new(),
+    };
+    let (patched, solved) = match piece.of {
+        Of::Patch(patched, solved) => (patched, solved),
+        Of::Net(..) => {
+            patch.mathematics.extend(is_first.then(|| NET.to_owned()));
+            return Ok(patch);
+        }
+    };
+    let stated = patched.prepared.patch();
     let at_u = stated.conditions.iter().map(|condition| (condition.u, condition.order, condition.value));
     let at_v = stated.side_conditions.iter().map(|condition| (condition.v, condition.order, condition.value));
-    Ok(Patch {
-        name: stated.name.clone(),
-        domain: [domain.u, domain.v, domain.t],
-        time: solved.time,
-        symbols: spec.bindings.as_slice().to_vec(),
-        form: form(solved, domain),
-        boundary: [boundary(spec, "u", at_u.collect())?, boundary(spec, "v", at_v.collect())?],
-        regions: solved.solution.surface.regions(),
-        mathematics: mathematics(spec, stated),
-        functions: functions.map(|function| latex(&decomposition.graph, function.expr)).collect(),
-        report: report(&solved.solution, solved),
-        joins,
-    })
+    for (across, conditions) in [("u", at_u.collect()), ("v", at_v.collect())] {
+        patch.boundary.push(boundary(spec, across, conditions).map_err(|finding| spec.fault(finding))?);
+    }
+    patch.regions = solved.solution.surface.regions();
+    if is_first {
+        let decomposition = &patched.prepared.decomposition;
+        let functions = decomposition.basis.iter();
+        patch.mathematics = mathematics(spec, stated);
+        patch.functions = functions.map(|function| latex(&decomposition.graph, function.expr)).collect();
+    }
+    if piece.copy.is_none() {
+        patch.joins = joins(spec, patched, solved)?;
+    }
+    Ok(patch)
 }
 
-/// A sum of products, if the surface is one that the page can evaluate as well as the library.
-fn form(solved: &Solved, domain: DomainValues) -> Form {
-    // Without functions there is nothing to add up: the surface is zero.
-    let separable = solved.solution.surface.as_separable().filter(|surface| !surface.basis.is_empty());
-    let Some(surface) = separable else { return Form::Sampled };
-    let slopes = [Derivative::NONE, Derivative::new(0, 1, 0), Derivative::new(0, 2, 0)];
-    // A basis with a kink has no second derivative, so no curvature; without the first there is no normal either.
-    let basis = surface.basis.program(&slopes).or_else(|_| surface.basis.program(&slopes[..2]));
-    let (Ok(basis), Ok(amplitudes)) = (basis, amplitude_series(surface, domain)) else { return Form::Sampled };
-    Form::Separable {
-        is_instant: surface.instant.is_some(),
-        basis: program(&basis),
-        count: surface.basis.len(),
-        amplitudes: series(amplitudes),
-    }
-}
+/// What a net is filled by.
+const NET: &str =
+    r"\frac{\partial^6 S}{\partial u^3\,\partial v^3} = 0,\quad S(u, v) = \sum_{i,j} N_i(u)\,M_j(v)\,P_{ij}";
 
 fn boundary(
     spec: &Spec,
@@ -309,62 +311,34 @@ fn latex(graph: &Graph, expr: ExprId) -> String {
     graph.text(expr, Notation::Latex, LONGEST).unwrap_or_else(|_| r"\text{(a long expression)}".to_owned())
 }
 
-fn report(solution: &Solution, solved: &Solved) -> Value {
-    let (report, measured) = (&solution.report, &solved.measured);
-    json!({
-        "method": report.method,
-        "exact": report.is_exact,
-        "basis_size": report.basis_size,
-        "closure_size": report.closure_size,
-        "modes": report.modes,
-        "boundary_error": measured.boundary_error(),
-        "pde_residual": measured.relative_residual(),
-        "amplification": report.amplification,
-        "condition": report.condition,
-        "rank": report.rank,
-        "unknowns": report.unknowns,
-        "milliseconds": 1e3 * solved.solve_seconds,
-    })
-}
-
-fn series(series: ChebyshevSeries) -> Series {
-    Series { range: series.range, coefficients: series.coefficients }
-}
-
-/// `{"ops": [["const", 0.8], ["v"], ["sin", 1], ["mul", 0, 2]], "outputs": [3]}`: operands are positions in the
-/// list. `["spline", a, b, i]` is spline i at one or two of them, `b` being null for one.
-fn program(program: &Program) -> Value {
-    let op = |op: &Op| match op.map(OpId::index) {
-        Op::Constant(value) => json!(["const", value]),
-        Op::Parameter(index) => json!(["symbol", index]),
-        Op::Variable(variable) => json!([variable.name()]),
-        Op::Neg(a) => json!(["neg", a]),
-        Op::Add(a, b) => json!(["add", a, b]),
-        Op::Sub(a, b) => json!(["sub", a, b]),
-        Op::Mul(a, b) => json!(["mul", a, b]),
-        Op::Div(a, b) => json!(["div", a, b]),
-        Op::Sqrt(a) => json!(["sqrt", a]),
-        Op::Call1(function, a) => json!([function.row().name, a]),
-        Op::Call2(function, a, b) => json!([function.row().name, a, b]),
-        Op::Spline1(index, a) => json!(["spline", a, null, index]),
-        Op::Spline2(index, a, b) => json!(["spline", a, b, index]),
-    };
-    let outputs = program.output_ops().iter().map(|id| id.index());
-    json!({
-        "ops": program.ops().iter().map(op).collect::<Vec<_>>(),
-        "outputs": outputs.collect::<Vec<_>>(),
-        "splines": program.splines().iter().map(spline).collect::<Vec<_>>(),
-    })
-}
-
-/// The data of a spline and the orders of its derivative.
-fn spline(call: &SplineCall) -> Value {
-    let axis = |index: usize| {
-        json!({
-            "degree": call.spline.degree(index),
-            "breaks": call.spline.breaks(index),
-            "periodic": call.spline.is_periodic(index),
-        })
-    };
-    json!({ "orders": call.orders, "axes": [axis(0), axis(1)], "coefficients": call.spline.coefficients() })
+fn report(piece: &Piece<'_>) -> Value {
+    if piece.copy.is_some() {
+        return json!({ "kind": "copy", "original": piece.of.name() });
+    }
+    match piece.of {
+        Of::Net(_, solved) => json!({
+            "kind": "net",
+            "method": METHOD,
+            "control_points": solved.filled.surface.knots().map(KnotVector::points),
+            "amplification": solved.filled.amplification,
+        }),
+        Of::Patch(_, solved) => {
+            let (report, measured) = (&solved.solution.report, &solved.measured);
+            json!({
+                "kind": "patch",
+                "method": report.method,
+                "exact": report.is_exact,
+                "basis_size": report.basis_size,
+                "closure_size": report.closure_size,
+                "modes": report.modes,
+                "boundary_error": measured.boundary_error(),
+                "pde_residual": measured.relative_residual(),
+                "amplification": report.amplification,
+                "condition": report.condition,
+                "rank": report.rank,
+                "unknowns": report.unknowns,
+                "milliseconds": 1e3 * solved.solve_seconds,
+            })
+        }
+    }
 }

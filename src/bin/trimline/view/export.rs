@@ -10,6 +10,7 @@ use super::live::{Answerable, Live};
 use super::server::Question;
 use crate::failure::Failure;
 use crate::options::{option_finding, read_grid};
+use crate::parts::Located;
 
 /// `format=obj&grid=64x128` at the page's instant and values, in full precision.
 pub fn of(live: &Live, question: &Question) -> Result<impl IntoResponse + use<>, Failure> {
@@ -35,11 +36,11 @@ fn scene(answerable: &Answerable<'_>, (u_cells, v_cells): (usize, usize)) -> Res
     let grid = Grid::new(u_cells, v_cells, &spec.limits)
         .map_err(|finding| option_finding("grid", &format!("{u_cells}x{v_cells}"), finding))?;
     let mut meshes = Vec::new();
-    for (patched, solved) in &answerable.patches {
-        let prepared = &patched.prepared;
-        let ranges = (prepared.domain.u, prepared.domain.v);
-        let mesh = tessellate(&prepared.patch().name, &*solved.solution.surface, ranges, solved.time, grid);
-        meshes.push(mesh.map_err(|finding| spec.fault(finding))?.0);
+    for piece in &answerable.pieces {
+        let ranges = (piece.domain().u, piece.domain().v);
+        let mesh = tessellate(piece.name(), &*piece.surface, ranges, answerable.time, grid);
+        let (mesh, _) = mesh.map_err(|finding| spec.fault(finding))?;
+        meshes.push(if piece.is_reflection { mesh.turned() } else { mesh });
     }
     Ok(Scene { meshes, time: answerable.time })
 }

@@ -1,14 +1,16 @@
 //! The spec as it is now: the last text that could be read, ready to be solved, and what is wrong with the newest.
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
 
 use tokio::sync::watch;
 
 use trimline::limits::Limits;
 
+use super::pieces::{Compiled, Piece, Solutions};
 use crate::failure::Failure;
 use crate::options::{Solving, Terminal};
-use crate::workflow::{Patched, Solved, Spec};
+use crate::workflow::Spec;
 
 /// A spec that is read again when its file changes.
 pub struct Live {
@@ -23,47 +25,51 @@ pub struct Live {
 
 struct State {
     /// The last spec without errors.
-    good: Option<Compiled>,
+    good: Option<Ready>,
     /// Why the newest text is not it.
     failure: Option<Failure>,
+    /// From the first sign of the last save until its text was read and compiled.
+    reading: Duration,
 }
 
-/// A spec whose patches are compiled.
-struct Compiled {
+/// A spec whose parts are compiled.
+struct Ready {
     spec: Spec,
-    patches: Vec<Patched>,
+    compiled: Compiled,
     /// The newest solutions: a page asks for the same ones several times, for positions, residuals and files.
-    solutions: Option<Solutions>,
+    known: Option<Known>,
 }
 
-/// The spec with values from the page, and its patches solved at one instant.
-struct Solutions {
+/// The spec with values from the page, and its parts solved at one instant.
+struct Known {
     changes: Vec<String>,
     spec: Spec,
     times: [f64; 2],
     time: f64,
-    solved: Vec<Solved>,
+    solutions: Solutions,
 }
 
-/// A spec with values from the page, and its patches solved at one instant.
+/// A spec with values from the page, and its parts solved at one instant.
 pub struct Answerable<'a> {
     pub spec: &'a Spec,
     /// How often the spec was read.
     pub revision: u64,
-    /// The instants that all patches have.
+    /// The instants that all parts have.
     pub times: [f64; 2],
     /// The instant of the solutions.
     pub time: f64,
-    pub patches: Vec<(&'a Patched, &'a Solved)>,
+    pub pieces: Vec<Piece<'a>>,
 }
 
 impl Live {
     /// Reads the spec; only a path that cannot be read is a failure.
     pub fn open(path: String, solving: Solving, points: Option<String>) -> Result<Live, Failure> {
-        let compiled = Compiled::read(&path, &solving, points.as_deref());
+        let compiled = Ready::read(&path, &solving, points.as_deref());
         let state = match compiled {
-            Ok(compiled) => State { good: Some(compiled), failure: None },
-            Err(failure @ Failure::Found { .. }) => State { good: None, failure: Some(failure) },
+            Ok(compiled) => State { good: Some(compiled), failure: None, reading: Duration::ZERO },
+            Err(failure @ Failure::Found { .. }) => {
+                State { good: None, failure: Some(failure), reading: Duration::ZERO }
+            }
             Err(failure) => return Err(failure),
         };
         Ok(Live { path, solving, points, state: Mutex::new(state), revision: watch::Sender::new(1) })
@@ -74,6 +80,11 @@ impl Live {
         self.solving.reading.limits().unwrap_or_default()
     }
 
+    /// From the first sign of the last save until its text was read and compiled.
+    pub fn reading(&self) -> Duration {
+        self.state().reading
+    }
+
     /// Says on standard error what is wrong.
     pub fn print_findings(&self, terminal: &Terminal) {
         if let Some(failure) = &self.state().failure {
@@ -81,12 +92,13 @@ impl Live {
         }
     }
 
-    /// Reads the file again; the last good text stays until there is a better one.
-    pub fn reload(&self) {
-        let compiled = Compiled::read(&self.path, &self.solving, self.points.as_deref());
+    /// Reads the file again, of which `saved` was the first sign of a change; the last good text stays until there is a
+    /// better one.
+    pub fn reload(&self, saved: Instant) {
+        let compiled = Ready::read(&self.path, &self.solving, self.points.as_deref());
         let mut state = self.state();
         match compiled {
-            Ok(compiled) => *state = State { good: Some(compiled), failure: None },
+            Ok(compiled) => *state = State { good: Some(compiled), failure: None, reading: saved.elapsed() },
             Err(failure) => state.failure = Some(failure),
         }
         // Before anybody can be answered from the new text.
@@ -105,7 +117,7 @@ impl Live {
     ) -> T {
         let mut state = self.state();
         let revision = *self.revision.borrow();
-        let State { good, failure } = &mut *state;
+        let State { good, failure, .. } = &mut *state;
         let Some(compiled) = good else { return answer(None, failure.as_ref()) };
         let answerable = compiled.answerable(changes, time.or(self.solving.time), revision);
         answer(Some(answerable), failure.as_ref())
@@ -130,39 +142,32 @@ impl Live {
     }
 }
 
-impl Compiled {
-    fn read(path: &str, solving: &Solving, points: Option<&str>) -> Result<Compiled, Failure> {
+impl Ready {
+    fn read(path: &str, solving: &Solving, points: Option<&str>) -> Result<Ready, Failure> {
         let spec = Spec::read(path, &solving.reading)?;
-        spec.without_nets("view")?;
-        let patches =
-            spec.patches.iter().map(|patch| spec.prepare(patch, solving, points)).collect::<Result<_, _>>()?;
-        Ok(Compiled { spec, patches, solutions: None })
+        let compiled = Compiled::new(&spec, solving, points)?;
+        Ok(Ready { spec, compiled, known: None })
     }
 
     fn answerable(&mut self, changes: &[String], time: Option<f64>, revision: u64) -> Result<Answerable<'_>, Failure> {
         let known =
-            self.solutions.take().filter(|known| known.changes == changes && instant(time, known.times) == known.time);
-        let solutions = match known {
+            self.known.take().filter(|known| known.changes == changes && instant(time, known.times) == known.time);
+        let known = match known {
             Some(known) => known,
             None => self.solve(changes, time)?,
         };
-        let Solutions { spec, times, time, solved, .. } = self.solutions.insert(solutions);
-        let patches = self.patches.iter().zip(&*solved).collect();
-        Ok(Answerable { spec, revision, times: *times, time: *time, patches })
+        let Known { spec, times, time, solutions, .. } = self.known.insert(known);
+        let pieces = self.compiled.pieces(spec, solutions, *time)?;
+        Ok(Answerable { spec, revision, times: *times, time: *time, pieces })
     }
 
-    fn solve(&mut self, changes: &[String], time: Option<f64>) -> Result<Solutions, Failure> {
+    fn solve(&mut self, changes: &[String], time: Option<f64>) -> Result<Known, Failure> {
         let spec = self.spec.with(changes)?;
-        for patched in &mut self.patches {
-            patched.prepared.refresh(&spec.problem, &spec.bindings).map_err(|finding| spec.fault(finding))?;
-        }
-        let times = spec.times(&self.patches)?;
+        self.compiled.refresh(&spec)?;
+        let times = self.compiled.times(&spec)?;
         let time = instant(time, times);
-        let mut solved = Vec::with_capacity(self.patches.len());
-        for patched in &self.patches {
-            solved.push(spec.solve(patched, time)?);
-        }
-        Ok(Solutions { changes: changes.to_vec(), spec, times, time, solved })
+        let solutions = self.compiled.solve(&spec, time)?;
+        Ok(Known { changes: changes.to_vec(), spec, times, time, solutions })
     }
 }
 

@@ -4,15 +4,18 @@
 //! works out from the one spec it was given. Every answer is a function of the spec's text and the address asked for:
 //! the page keeps its own slider positions and sends them with each question, so several pages do not disturb each
 //! other. Where the surface is a sum of products, the page works out positions itself, from the basis as a program and the
-//! functions of u as series (see `answer`), so moving through time asks nothing; otherwise it asks for vertices.
+//! functions of u as series, or it is a B-spline (see `form`), so moving through time asks nothing; otherwise it asks for
+//! vertices.
 
 mod answer;
 mod export;
 mod finding;
+mod form;
 mod gaps;
 mod guard;
 mod live;
 mod motion;
+mod pieces;
 mod residual;
 mod server;
 mod vertices;

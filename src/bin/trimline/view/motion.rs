@@ -20,6 +20,7 @@ use trimline::surface::Surface;
 use super::live::Live;
 use super::server::Question;
 use crate::failure::Failure;
+use crate::parts::Located;
 
 /// Numbers of instants tried.
 const INSTANTS: [usize; 3] = [12, 48, 192];
@@ -41,7 +42,7 @@ pub struct Motion {
 }
 
 /// Series at several instants, in single precision.
-#[derive(Serialize)]
+#[derive(Clone, Serialize)]
 struct Interpolation {
     instants: Vec<f64>,
     /// By instant, then degree, function and component, flat.
@@ -51,8 +52,9 @@ struct Interpolation {
     error: f64,
 }
 
-/// A patch solved at one instant.
+/// A part solved at one instant; of a copy, its original.
 struct Sample {
+    original: usize,
     surface: Arc<dyn Surface + Send + Sync>,
     domain: DomainValues,
     time: f64,
@@ -62,10 +64,15 @@ struct Sample {
 pub fn of(live: &Live, question: &Question) -> Result<Motion, Failure> {
     let revision = *live.revision.borrow();
     let Some(now) = samples(live, question, question.time)? else { return Ok(Motion { patches: Vec::new() }) };
-    let mut patches = Vec::with_capacity(now.len());
+    let mut patches: Vec<Option<Interpolation>> = Vec::with_capacity(now.len());
     for (index, sample) in now.iter().enumerate() {
         if sample.surface.as_separable().is_none_or(|surface| surface.instant.is_none()) {
             patches.push(None);
+            continue;
+        }
+        // A copy moves as its original does; the page puts it where it is.
+        if let Some(known) = now.iter().take(index).position(|other| other.original == sample.original) {
+            patches.push(patches.get(known).cloned().flatten());
             continue;
         }
         let solved_at = |t: f64| {
@@ -85,10 +92,11 @@ fn samples(live: &Live, question: &Question, time: Option<f64>) -> Result<Option
         let Some(answerable) = answerable else { return Ok(None) };
         let answerable = answerable?;
         let times = answerable.times;
-        let samples = answerable.patches.iter().map(|(patched, solved)| Sample {
-            surface: Arc::clone(&solved.solution.surface),
-            domain: DomainValues { t: times, ..patched.prepared.domain },
-            time: solved.time,
+        let samples = answerable.pieces.iter().map(|piece| Sample {
+            original: piece.original,
+            surface: piece.of.surface(),
+            domain: DomainValues { t: times, ..*piece.domain() },
+            time: answerable.time,
         });
         Ok(Some(samples.collect()))
     })
@@ -140,7 +148,7 @@ fn in_single_precision(instants: Vec<f64>, series: &[ChebyshevSeries], error: f6
 
 /// The largest distance between the interpolated surface and a solved one, relative to the largest coordinate.
 fn distance(instants: &[f64], series: &[ChebyshevSeries], judge: &Sample) -> Result<f64, Diagnostic> {
-    let Sample { surface, domain, time } = judge;
+    let Sample { surface, domain, time, .. } = judge;
     let Some(surface) = surface.as_separable() else { return Ok(f64::INFINITY) };
     let weights = barycentric(instants, *time);
     let (u, v) = (nodes(NodeKind::Midpoints, GRID[0], domain.u), nodes(NodeKind::Ends, GRID[1], domain.v));

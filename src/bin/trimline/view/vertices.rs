@@ -9,6 +9,7 @@ use super::live::{Answerable, Live};
 use super::server::Question;
 use crate::failure::Failure;
 use crate::options::{option_finding, read_grid};
+use crate::parts::Located;
 
 /// What tells the page which reading of the spec the numbers belong to.
 const REVISION: &str = "trimline-revision";
@@ -38,15 +39,15 @@ pub fn of(live: &Live, question: &Question) -> Result<impl IntoResponse + use<>,
 
 fn add(answerable: &Answerable<'_>, index: usize, grid: Grid, bytes: &mut Vec<u8>) -> Result<(), Failure> {
     let spec = answerable.spec;
-    let Some((patched, solved)) = answerable.patches.get(index) else {
+    let Some(piece) = answerable.pieces.get(index) else {
         return Err(Failure::Usage(format!("there is no patch number {index}")));
     };
-    let (surface, prepared) = (&*solved.solution.surface, &patched.prepared);
-    let ranges = (prepared.domain.u, prepared.domain.v);
-    let (mesh, _) = tessellate(&prepared.patch().name, surface, ranges, solved.time, grid)
+    // Of a copy the page is given what was solved, and puts it where the copy is.
+    let (surface, domain) = (piece.of.surface(), piece.domain());
+    let (mesh, _) = tessellate(piece.name(), &*surface, (domain.u, domain.v), answerable.time, grid)
         .map_err(|finding| spec.fault(finding))?;
     // A surface without second derivatives can be seen all the same.
-    let [gaussian, mean] = curvatures(surface, &mesh, solved.time)
+    let [gaussian, mean] = curvatures(&*surface, &mesh, answerable.time)
         .map(|fields| fields.map(|field| field.values))
         .unwrap_or_else(|_| [vec![0.0; mesh.positions.len()], vec![0.0; mesh.positions.len()]]);
     let Mesh { positions, normals, .. } = &mesh;

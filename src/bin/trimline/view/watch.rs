@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use notify::{Event, RecommendedWatcher, RecursiveMode, Watcher};
 
@@ -78,6 +78,7 @@ fn whole(file: &Path) -> PathBuf {
 
 fn reload_after(changes: &Receiver<()>, live: &Live, followed: &mut Followed) {
     while changes.recv().is_ok() {
+        let saved = Instant::now();
         loop {
             match changes.recv_timeout(QUIET) {
                 Ok(()) => {}
@@ -87,6 +88,6 @@ fn reload_after(changes: &Receiver<()>, live: &Live, followed: &mut Followed) {
         }
         // First, so that a change during the reading is seen. A folder that cannot be watched is not followed.
         let _ = followed.update(live);
-        live.reload();
+        live.reload(saved);
     }
 }

@@ -48,17 +48,31 @@ export function showValues(parameters, onChange) {
 const contact = ({ gap, angle_degrees: angle }) =>
   `gap ${gap.toExponential(1)}, ${angle === null ? "no normals to compare" : `angle ${angle.toExponential(1)}°`}`;
 
-export function showReport({ patches, seams, time: measured }) {
-  const number = (value) => (value === null ? "unbounded" : Number(value.toPrecision(3)).toString());
-  const rows = patches.flatMap(({ name, time, form, report }) => [
-    ["patch", name], ["method", report.method],
+const number = (value) => (value === null ? "unbounded" : Number(value.toPrecision(3)).toString());
+
+// What is said of a part, by its kind.
+const KINDS = {
+  copy: ({ report }) => [["copy of", report.original]],
+  net: ({ report }) => [
+    ["method", report.method], ["control points", report.control_points.join(" x ")],
+    ["amplification", report.amplification.map((value) => Number(value.toPrecision(3))).join(" in u, ") + " in v"],
+  ],
+  patch: ({ time, form, report }) => [
+    ["method", report.method],
     ["holds", form.kind === "sampled" || form.is_instant ? `at t = ${Number(time.toPrecision(5))}` : "for every t"],
-    ["basis functions", report.closure_size ? `${report.basis_size}, ${report.closure_size} with closure` : report.basis_size],
-    ["terms each", report.modes], ["boundary error", number(report.boundary_error)], ["PDE residual", number(report.pde_residual)],
+    ...(report.basis_size === 0 ? [["terms", report.modes]] : [
+      ["basis functions", report.closure_size ? `${report.basis_size}, ${report.closure_size} with closure` : report.basis_size],
+      ["terms each", report.modes],
+    ]),
+    ["boundary error", number(report.boundary_error)], ["PDE residual", number(report.pde_residual)],
     report.amplification === null ? ["rank", `${report.rank} of ${report.unknowns}, condition ${number(report.condition)}`]
       : ["amplification", number(report.amplification)],
     ["solved in", `${report.milliseconds.toFixed(1)} ms`],
-  ]);
+  ],
+};
+
+export function showReport({ patches, seams, time: measured }) {
+  const rows = patches.flatMap((patch) => [["patch", patch.name], ...KINDS[patch.report.kind](patch)]);
   const place = ({ patch, u, v }) => `${patch} at ${u === undefined ? `v = ${number(v)}` : `u = ${number(u)}`}`;
   const met = [
     ...patches.flatMap(({ name, joins }) => joins.map((join) => [`${place({ patch: name, u: join.u })} joins ${join.surface}`, contact(join)])),

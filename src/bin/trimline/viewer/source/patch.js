@@ -1,6 +1,7 @@
 // What all patches share: the grid that is drawn, what the spec prescribes, and numbers for colouring.
 //
-// A kind of patch adds where vertices come from: `prepare` before a picture, `points` for curves, `setTime`.
+// A kind of patch adds where vertices come from: `prepare` before a picture, `pointsBeforePlacing` for curves, `setTime`.
+// All of a copy is that of its original, which the mesh's own matrix turns and moves, mirror images included.
 
 import * as THREE from "three";
 import { evenly, run } from "./program.js";
@@ -14,6 +15,7 @@ export class Patch {
     this.material = drawing(uniforms);
     this.mesh = new THREE.Mesh(new THREE.BufferGeometry(), this.material);
     this.mesh.frustumCulled = false;
+    this.mesh.matrixAutoUpdate = false;
     this.cells = null;
   }
 
@@ -22,6 +24,29 @@ export class Patch {
     if (String(cells) !== String(this.cells)) this.layGrid(cells);
     this.u = evenly(data.domain[0], cells[0]);
     this.v = evenly(data.domain[1], cells[1]);
+  }
+
+  // The instant that is drawn, and where a copy is then.
+  setTime(t) {
+    this.time = t;
+    const { placement, symbols } = this.data;
+    const zero = Float64Array.of(0);
+    const [a, b, c, d, e, f, g, h, i, x, y, z] = placement ? run(placement, symbols, zero, t).map(([entry]) => entry) : [1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0];
+    this.mesh.matrix.set(a, b, c, x, d, e, f, y, g, h, i, z, 0, 0, 0, 1);
+    this.mesh.matrixWorldNeedsUpdate = true;
+  }
+
+  place(point) {
+    return this.data.placement ? new THREE.Vector3(...point).applyMatrix4(this.mesh.matrix).toArray() : point;
+  }
+
+  turn(vector) {
+    return this.data.placement ? new THREE.Vector3(...vector).applyMatrix3(new THREE.Matrix3().setFromMatrix4(this.mesh.matrix)).toArray() : vector;
+  }
+
+  // Positions on all u and v: rows of [x, y, z].
+  points(us, vs) {
+    return this.pointsBeforePlacing(us, vs).map((row) => row.map((point) => this.place(point)));
   }
 
   layGrid([nu, nv]) {
@@ -57,7 +82,10 @@ export class Patch {
       const rows = run(program, this.data.symbols, along, this.time, along);
       return conditions.map(({ at, order: found }, index) => ({
         across, at, along, order: found,
-        values: Array.from(along, (_, i) => [0, 1, 2].map((k) => rows[3 * index + k][i])),
+        values: Array.from(along, (_, i) => {
+          const vector = [0, 1, 2].map((k) => rows[3 * index + k][i]);
+          return found === 0 ? this.place(vector) : this.turn(vector);
+        }),
       })).filter((line) => line.order === order);
     });
   }

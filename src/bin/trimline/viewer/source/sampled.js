@@ -19,7 +19,7 @@ export class Sampled extends Patch {
   }
 
   setTime(t, samples) {
-    this.time = t;
+    super.setTime(t);
     if (!samples) return;
     this.samples = samples;
     const { points, normals } = this.material.uniforms;
@@ -34,8 +34,8 @@ export class Sampled extends Patch {
 
   prepare() {}
 
-  // Positions on all u and v, between the vertices along straight lines: rows of [x, y, z].
-  points(us, vs) {
+  // Between the vertices along straight lines.
+  pointsBeforePlacing(us, vs) {
     const place = (nodes, x) => {
       const last = nodes.length - 1;
       const at = Math.min(Math.max(((x - nodes[0]) / (nodes[last] - nodes[0])) * last, 0), last);
@@ -56,7 +56,7 @@ export class Sampled extends Patch {
   // The position of a vertex as it is drawn.
   vertex(_, i, j) {
     const at = 4 * (i * this.v.length + j);
-    return Array.from(this.samples.subarray(at, at + 3));
+    return this.place(Array.from(this.samples.subarray(at, at + 3)));
   }
 
   dispose() {

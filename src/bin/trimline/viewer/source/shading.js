@@ -122,6 +122,10 @@ export function drawing(shared) {
     vertexShader: VERTEX,
     fragmentShader: FRAGMENT,
     side: THREE.DoubleSide,
+    // Behind the lines that run on it.
+    polygonOffset: true,
+    polygonOffsetFactor: 1,
+    polygonOffsetUnits: 1,
     uniforms: { ...shared, points: { value: null }, normals: { value: null }, cells: { value: new THREE.Vector2(1, 1) } },
   });
 }

@@ -2,6 +2,12 @@
 
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { Line2 } from "three/addons/lines/Line2.js";
+import { LineGeometry } from "three/addons/lines/LineGeometry.js";
+import { LineMaterial } from "three/addons/lines/LineMaterial.js";
+import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
+import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
+import { Net } from "./net.js";
 import { Primary } from "./primary.js";
 import { evenly } from "./program.js";
 import { Sampled } from "./sampled.js";
@@ -9,7 +15,14 @@ import { Separable } from "./separable.js";
 import { SHADES, sharedUniforms } from "./shading.js";
 
 const ARROWS = 24;
-const COLORS = { trimlines: 0xd1495b, edges: 0x30343c, arrows: 0x2a9d5c };
+const CLASSES = { separable: Separable, net: Net, sampled: Sampled };
+// Colours on light paper and on dark.
+const COLORS = { trimlines: [0xc8102e, 0xff5a6e], edges: [0x30343c, 0xaab2c0], arrows: [0x1f8a4c, 0x4cc98a] };
+const PAPER = [0xffffff, 0x15171b];
+// In pixels.
+const WIDTHS = { trimlines: 2.5, edges: 1.5, arrows: 1.5 };
+// Of the size of the patches, with the arrows that stick out.
+const ROOM = 1.2;
 
 export class Stage {
   constructor(canvas, onCamera) {
@@ -31,6 +44,7 @@ export class Stage {
     this.primaries = [];
     this.curves = new THREE.Group();
     this.scene.add(this.curves);
+    this.pens = Object.fromEntries(Object.entries(WIDTHS).map(([name, linewidth]) => [name, new LineMaterial({ linewidth })]));
     this.layers = { surfaces: true, trimlines: true, edges: true, arrows: true };
     this.isPlaced = false;
     this.frames = 0;
@@ -42,7 +56,9 @@ export class Stage {
   }
 
   paper() {
-    this.scene.background = new THREE.Color(matchMedia("(prefers-color-scheme: dark)").matches ? 0x15171b : 0xffffff);
+    const shade = Number(matchMedia("(prefers-color-scheme: dark)").matches);
+    this.scene.background = new THREE.Color(PAPER[shade]);
+    for (const [name, pen] of Object.entries(this.pens)) pen.color.set(COLORS[name][shade]);
     this.invalidate();
   }
 
@@ -81,7 +97,7 @@ export class Stage {
 
   // New numbers for all patches and primary surfaces; `samples` has the vertices of each patch that needs them.
   show(data, surfaces, cells, time, samples) {
-    this.match(this.patches, data, ({ form }) => (form.kind === "separable" ? Separable : Sampled));
+    this.match(this.patches, data, ({ form }) => CLASSES[form.kind]);
     this.match(this.primaries, surfaces, () => Primary);
     data.forEach((patch, index) => this.patches[index].set(patch, cells, time, samples.get(index)));
     this.surfaces = surfaces;
@@ -96,14 +112,13 @@ export class Stage {
     this.redrawGiven();
   }
 
-  // A few points of every patch: what the picture has to hold.
+  // A sphere around a few points of every patch: what the picture has to hold.
   bounds() {
-    const box = new THREE.Box3();
-    for (const patch of this.patches) {
+    const points = this.patches.flatMap((patch) => {
       const [u, v] = patch.data.domain;
-      patch.points(evenly(u, 8), evenly(v, 16)).flat().forEach((point) => box.expandByPoint(new THREE.Vector3(...point)));
-    }
-    return box.getBoundingSphere(new THREE.Sphere());
+      return patch.points(evenly(u, 8), evenly(v, 16)).flat().map((point) => new THREE.Vector3(...point));
+    });
+    return new THREE.Sphere().setFromPoints(points);
   }
 
   placeCamera() {
@@ -114,7 +129,9 @@ export class Stage {
     this.camera.far = this.radius * 100;
     this.camera.updateProjectionMatrix();
     this.controls.target.copy(center);
-    this.camera.position.set(0.9, -1.6, 0.9).normalize().multiplyScalar(3.4 * this.radius).add(center);
+    const upright = THREE.MathUtils.degToRad(this.camera.fov / 2);
+    const narrower = Math.min(upright, Math.atan(Math.tan(upright) * this.camera.aspect));
+    this.camera.position.set(0.9, -1.6, 0.9).normalize().multiplyScalar((ROOM * this.radius) / Math.sin(narrower)).add(center);
     this.controls.update();
     this.isPlaced = this.patches.length > 0;
   }
@@ -140,24 +157,25 @@ export class Stage {
   }
 
   redrawCurves() {
-    for (const old of this.curves.children) { old.geometry.dispose(); old.material.dispose(); }
+    for (const old of this.curves.children) old.geometry.dispose();
     this.curves.clear();
     for (const patch of this.patches) {
       const lines = patch.prescribed(0);
-      if (this.layers.trimlines) lines.forEach(({ values }) => this.line(values, COLORS.trimlines));
+      if (this.layers.trimlines) lines.forEach(({ values }) => this.line(values, this.pens.trimlines));
+      // Sides without constraints: those of constant v, and of a net all four.
       if (this.layers.edges && lines.every(({ across }) => across === "u")) {
         const edges = patch.points(patch.u, patch.data.domain[1]);
-        [0, 1].forEach((end) => this.line(edges.map((row) => row[end]), COLORS.edges));
+        [0, 1].forEach((end) => this.line(edges.map((row) => row[end]), this.pens.edges));
+        if (lines.length === 0) patch.points(patch.data.domain[0], patch.v).forEach((row) => this.line(row, this.pens.edges));
       }
-      if (this.layers.edges) patch.data.regions.forEach((region) => this.line(patch.border(region), COLORS.edges));
+      if (this.layers.edges) patch.data.regions.forEach((region) => this.line(patch.border(region), this.pens.edges));
       if (this.layers.arrows) this.arrows(patch);
     }
     this.invalidate();
   }
 
-  line(points, color) {
-    const geometry = new THREE.BufferGeometry().setFromPoints(points.map((point) => new THREE.Vector3(...point)));
-    this.curves.add(new THREE.Line(geometry, new THREE.LineBasicMaterial({ color })));
+  line(points, pen) {
+    this.curves.add(new Line2(new LineGeometry().setPositions(points.flat()), pen));
   }
 
   // Prescribed tangents, the longest a fifth of the surface.
@@ -177,11 +195,10 @@ export class Stage {
         const isUpright = Math.hypot(along.x, along.y) < 1e-3 * Math.abs(along.z);
         const side = along.cross(isUpright ? new THREE.Vector3(1, 0, 0) : this.camera.up).normalize();
         const barb = (sign) => tip.clone().lerp(foot, 0.25).addScaledVector(side, sign * 0.15 * tip.distanceTo(foot));
-        points.push(foot, tip, tip, barb(1), tip, barb(-1));
+        points.push(...[foot, tip, tip, barb(1), tip, barb(-1)].flatMap((point) => point.toArray()));
       });
     }
-    const geometry = new THREE.BufferGeometry().setFromPoints(points);
-    this.curves.add(new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({ color: COLORS.arrows })));
+    this.curves.add(new LineSegments2(new LineSegmentsGeometry().setPositions(points), this.pens.arrows));
   }
 
   set shade(name) {

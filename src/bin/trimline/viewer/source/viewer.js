@@ -22,7 +22,7 @@ const state = {
   camera: start.camera,
 };
 // What the page knows, for tests: they wait on these instead of on the clock.
-const facts = { revision: 0, answers: 0, motions: 0, moves: 0, gaps: 0, drawnAt: 0, serverMilliseconds: 0, tableMilliseconds: 0, findings: [], errors: [] };
+const facts = { revision: 0, answers: 0, motions: 0, moves: 0, gaps: 0, drawnAt: 0, serverMilliseconds: 0, readingMilliseconds: 0, tableMilliseconds: 0, findings: [], errors: [] };
 
 let scene = null;
 let isPlaying = false;
@@ -72,8 +72,10 @@ function take(answer) {
   const isNew = answer.revision !== facts.revision;
   facts.findings = answer.findings;
   facts.serverMilliseconds = answer.milliseconds;
+  facts.readingMilliseconds = answer.reading_milliseconds;
   showFindings(answer.findings);
-  byId("name").textContent = answer.name;
+  byId("name").textContent = answer.name.split(/[\\/]/).at(-1);
+  byId("name").title = answer.name;
   byId("status").textContent = answer.is_current && answer.solved ? "" : answer.solved || scene
     ? "the picture is that of the last text without errors" : "there is no surface yet";
   if (answer.solved) {
@@ -190,9 +192,12 @@ const fillResidual = newestOnly(async () => {
   const answer = await ask("/residual", question()).catch(() => null);
   if (state.shade !== "residual") return;
   if (!answer?.ok) { refuse(answer); return; }
-  answer.patches.forEach(({ rows, columns, values }, index) => {
+  answer.patches.forEach((field, index) => {
     const patch = stage.patches[index];
     if (!patch) return;
+    // A net has no residual.
+    if (!field) { patch.setScalars(() => -1); return; }
+    const { rows, columns, values } = field;
     const [nu, nv] = patch.cells;
     patch.setScalars((i, j) => {
       const [x, y] = [(i / nu) * (rows - 1), (j / nv) * (columns - 1)];
@@ -202,8 +207,10 @@ const fillResidual = newestOnly(async () => {
       return along(a) * (1 - (x - a)) + along(a + 1) * (x - a);
     });
   });
-  const largest = Math.max(...answer.patches.flatMap(({ values }) => values));
-  showLegend({ low: "1e-16", high: "1", isRising: true, text: `residual over the largest term, at most ${largest.toExponential(1)}` });
+  const fields = answer.patches.filter((field) => field);
+  const largest = Math.max(...fields.flatMap(({ values }) => values));
+  const text = fields.length ? `residual over the largest term, at most ${largest.toExponential(1)}` : "a B-spline net has no residual";
+  showLegend({ low: "1e-16", high: "1", isRising: true, text });
   stage.invalidate();
 });
 
@@ -238,7 +245,7 @@ const fillGaps = newestOnly(async () => {
   });
   const largest = worst.toExponential(1);
   const text = isSeam ? (count ? `gap between neighbours at most ${largest}` : "no edge of a patch meets another")
-    : `gap to the prescribed positions at most ${largest}`;
+    : count ? `gap to the prescribed positions at most ${largest}` : "a B-spline net has no prescribed positions but its control points";
   showLegend({ low: "1e-16", high: "1", isRising: true, text });
   facts.gap = worst;
   facts.gaps += 1;
