@@ -17,7 +17,7 @@ use crate::resolve::{resolve, set_parameter};
 use crate::surface::{Bump, DeformedSurface};
 use crate::syntax;
 use crate::threads;
-use crate::verify::{Programs, Verification, check_deformations, refuse_poles, verify_with};
+use crate::verify::{Programs, Verification, check_deformations, find_fold, refuse_poles, verify_with};
 
 /// A compiled document with its current parameter values.
 pub struct Blend {
@@ -64,7 +64,7 @@ enum Update {
 /// By how much a truncated series says that it misses its boundary, and once more, since its own measurement may lie
 /// between these points.
 fn announced(solution: &Solution) -> f64 {
-    let announced = solution.report.truncation.filter(|truncation| !truncation.has_remainder);
+    let announced = solution.report.truncation.as_ref().filter(|truncation| !truncation.has_remainder);
     announced.map_or(0.0, |truncation| 2.0 * truncation.left_out)
 }
 
@@ -355,6 +355,9 @@ impl Prepared {
         if self.choice.is_automatic && is_two_sided && residual > LARGE_RESIDUAL {
             plain.report.warnings.push(self.large_residual(&plain, residual, t));
         }
+        if !is_two_sided {
+            plain.report.warnings.extend(self.fold(&plain, t)?);
+        }
         if self.bumps.is_empty() {
             return Ok((plain, measured));
         }
@@ -410,6 +413,19 @@ impl Prepared {
         if scale > 0.0 { scale } else { 1.0 }
     }
 
+    /// A warning where a surface through data on four sides folds: nothing in its equation keeps it from that.
+    fn fold(&self, solution: &Solution, t: f64) -> Result<Option<Diagnostic>, Diagnostic> {
+        let place = find_fold(&*solution.surface, &self.domain, t)?;
+        Ok(place.map(|[u, v]| {
+            let [u, v, t] = [u, v, t].map(Shortest);
+            let name = &self.patch().name;
+            let message = format!("the patch `{name}` folds over itself near u = {u}, v = {v} at t = {t}");
+            Diagnostic::new(Code::SurfaceFolds, message)
+                .at(self.patch().boundary_origin())
+                .hint("shorter tangents across the sides, a `centre` inside its loop, or two loops in place of one with a corner that points inward may mend it")
+        }))
+    }
+
     fn large_residual(&self, solution: &Solution, residual: f64, t: f64) -> Diagnostic {
         let method = solution.report.method;
         let message = format!(
@@ -434,6 +450,10 @@ impl Prepared {
     ) -> Result<Verification, Diagnostic> {
         // New values of params leave the expressions of a patch where they are in the graph.
         let programs = self.programs.get_or_init(|| Programs::compile(&problem.graph, self.patch()));
-        verify_with(programs, problem, self.patch(), &*solution.surface, (bindings, &self.domain, t))
+        let surface = &*solution.surface;
+        let measured = verify_with(programs, problem, self.patch(), surface, (bindings, &self.domain, t))?;
+        // What a series leaves out at a jump or a kink may lie between the points of any grid.
+        let places = solution.report.truncation.as_ref().map_or(&[][..], |truncation| &truncation.places);
+        measured.also_at(programs, problem, self.patch(), surface, (bindings, t), places)
     }
 }

@@ -85,13 +85,13 @@ impl Language {
 /// The source text of `formula` in `language`.
 ///
 /// # Errors
-/// [`Code::OutputFailed`] when a number does not fit the language's precision.
+/// [`Code::FormatCannotHold`] when a number does not fit the language's precision.
 pub fn emit(formula: &Formula, language: Language) -> Result<String, Diagnostic> {
     if language.is_single_precision()
         && let Some(number) = formula.numbers().into_iter().find(|number| !(*number as f32).is_finite())
     {
         let message = format!("the number {number:?} of this surface is too large for {}", language.description());
-        return Err(Diagnostic::new(Code::OutputFailed, message)
+        return Err(Diagnostic::new(Code::FormatCannotHold, message)
             .hint("scale the problem, or emit a language of double precision: c, rust or numpy"));
     }
     Ok((language.row().write)(formula))

@@ -81,15 +81,23 @@ pub enum ExportError {
 }
 
 impl ExportError {
-    /// The error as a finding: of class [`Output`](crate::diagnostic::Class::Output), but for a patch without area, which
-    /// is a fault of its data.
+    /// The error as a finding: [`Code::OutputFailed`] if the writer failed, [`Code::FormatCannotHold`] if what is to be
+    /// written does not fit the format, and [`Code::NoArea`] for a patch without area, which is a fault of its data.
     #[must_use]
     pub fn to_diagnostic(&self) -> Diagnostic {
-        let diagnostic = Diagnostic::new(Code::OutputFailed, self.to_string());
+        let code = match self {
+            ExportError::Io(_) | ExportError::Malformed { .. } | ExportError::NotOneInstant { .. } => {
+                Code::OutputFailed
+            }
+            ExportError::NoArea { .. } => Code::NoArea,
+            _ => Code::FormatCannotHold,
+        };
+        let diagnostic = Diagnostic::new(code, self.to_string());
         match self {
             ExportError::Io(_) | ExportError::Malformed { .. } | ExportError::NotOneInstant { .. } => diagnostic,
-            ExportError::NoArea { .. } => Diagnostic { code: Code::NoArea, ..diagnostic }
-                .hint("leave this patch out with `--patch`, or change its boundary"),
+            ExportError::NoArea { .. } => {
+                diagnostic.hint("leave this patch out with `--patch`, or change its boundary")
+            }
             ExportError::CoordinateTooLarge { .. } => diagnostic.hint("OBJ and PLY hold every coordinate"),
             ExportError::TopologyChanges { .. } => diagnostic.hint("leave the seams of closed surfaces open"),
             ExportError::UnfitInstants { .. } => diagnostic.hint("ask for fewer frames, or write NPZ or VTP"),

@@ -114,7 +114,7 @@ mod tests {
         assert!(written(quad(3.4e38)).is_ok());
         let refused = written(quad(1e39)).unwrap_err();
         assert_eq!(refused.to_string(), "STL holds coordinates up to 3.4028234663852886e38, and mesh `quad` has 1e39");
-        assert_eq!(refused.to_diagnostic().code, Code::OutputFailed);
+        assert_eq!(refused.to_diagnostic().code, Code::FormatCannotHold);
     }
 
     #[test]

@@ -134,10 +134,12 @@ pub struct Report {
 }
 
 /// The part of the boundary data that a truncated series leaves out.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Truncation {
     /// The largest value that is left out, of any condition and component.
     pub left_out: f64,
+    /// v where most is left out of each condition and component of which anything is: where the verifier looks too.
+    pub places: Vec<f64>,
     /// Whether the surface meets its boundary all the same; otherwise it misses it by `left_out`.
     pub has_remainder: bool,
 }

@@ -6,6 +6,7 @@
 
 mod apex;
 mod contact;
+mod fold;
 mod join;
 mod overlap;
 mod passed_over;
@@ -13,6 +14,7 @@ mod programs;
 mod seam;
 
 pub use apex::{ApexDeviation, verify_apexes};
+pub use fold::find_fold;
 pub use join::{JoinDeviation, verify_joins};
 pub use overlap::{Curve, Parts, common_part};
 pub use passed_over::{check_deformations, refuse_poles};
@@ -38,6 +40,8 @@ pub struct Verification {
     pub residual: f64,
     /// The largest single term of the equation, in any component: what the residual is to be compared with.
     pub largest_term: f64,
+    /// Terms below this are rounding errors, and an equation of such terms alone is satisfied.
+    pub negligible: f64,
     /// The largest coordinate of S on the grid.
     pub size: f64,
     /// The largest prescribed value: what boundary errors are to be compared with. Not `size`, which a surface that
@@ -52,10 +56,35 @@ impl Verification {
         self.boundary_errors.iter().fold(0.0, |most, error| most.max(*error))
     }
 
-    /// The residual over the largest single term of the equation; zero when all terms are zero.
+    /// The residual over the largest single term of the equation; zero when all terms are zero up to rounding.
     #[must_use]
     pub fn relative_residual(&self) -> f64 {
-        if self.largest_term > 0.0 { self.residual / self.largest_term } else { 0.0 }
+        if self.largest_term > self.negligible { self.residual / self.largest_term } else { 0.0 }
+    }
+
+    /// This, with the deviations from the conditions at fixed u measured at the places `v` as well: those where a method
+    /// knows that it misses them most.
+    ///
+    /// # Errors
+    /// As [`verify`].
+    pub fn also_at(
+        mut self,
+        programs: &Programs,
+        problem: &Problem,
+        patch: &Patch,
+        surface: &dyn Surface,
+        (bindings, t): (&Bindings, f64),
+        v: &[f64],
+    ) -> Result<Verification, Diagnostic> {
+        for ((side, stated), most) in sides(patch).zip(&programs.sides).zip(&mut self.boundary_errors) {
+            if side.across == Variable::U && !v.is_empty() {
+                let position = bindings.constant(problem, side.position, None, "the position of a boundary")?;
+                let places = (position, [&[][..], v], t);
+                let (error, _) = boundary_error(problem, surface, bindings, (&side, stated), places)?;
+                *most = most.max(error);
+            }
+        }
+        Ok(self)
     }
 
     /// The worse of two measurements of one patch, for example at two instants.
@@ -68,6 +97,7 @@ impl Verification {
             boundary_errors: errors.map(|(a, b)| a.max(*b)).collect(),
             residual: worse.residual,
             largest_term: worse.largest_term,
+            negligible: worse.negligible,
             size: self.size.max(other.size),
             data_size: self.data_size.max(other.data_size),
         }
@@ -121,12 +151,18 @@ pub fn verify_with(
     // Four sides meet in corners, where the data need not satisfy the equation: only the inside is judged.
     let inside = |nodes: &[f64]| nodes.get(1..nodes.len() - 1).map(<[f64]>::to_vec).unwrap_or_default();
     let (u, v) = if patch.is_four_sided() { (inside(&u), inside(&v)) } else { (u, v) };
-    let (sums, largest_term) = equation(programs, patch, surface, bindings, (&u, &v, t))?;
+    let Terms { sums, largest: largest_term, natural } = equation(programs, patch, surface, bindings, (&u, &v, t))?;
     let residual = sums.iter().fold(0.0_f64, |most, sum| most.max(sum.abs()));
+    let size = size(surface, (&u, &v, t))?;
+    let negligible = ROUNDING * natural * size;
+    Ok(Verification { boundary_errors, residual, largest_term, negligible, size, data_size })
+}
+
+/// The largest coordinate on a grid.
+fn size(surface: &dyn Surface, (u, v, t): (&[f64], &[f64], f64)) -> Result<f64, Diagnostic> {
     let mut positions = vec![[0.0; 3]; u.len() * v.len()];
-    surface.evaluate_grid(Derivative::NONE, (&u, &v, t), &mut positions)?;
-    let size = positions.iter().flatten().fold(0.0_f64, |most, value| most.max(value.abs()));
-    Ok(Verification { boundary_errors, residual, largest_term, size, data_size })
+    surface.evaluate_grid(Derivative::NONE, (u, v, t), &mut positions)?;
+    Ok(positions.iter().flatten().fold(0.0_f64, |most, value| most.max(value.abs())))
 }
 
 /// One condition, at fixed u or at fixed v.
@@ -247,25 +283,45 @@ pub fn residuals(
     (u, v, t): (&[f64], &[f64], f64),
 ) -> Result<Vec<f64>, Diagnostic> {
     let programs = Programs::compile(&problem.graph, patch);
-    let (sums, largest_term) = equation(&programs, patch, surface, bindings, (u, v, t))?;
+    let Terms { sums, largest, natural } = equation(&programs, patch, surface, bindings, (u, v, t))?;
+    let is_rounding = largest <= ROUNDING * natural * size(surface, (u, v, t))?;
     let mut residuals = vec![0.0_f64; u.len() * v.len()];
     for component in sums.chunks(residuals.len().max(1)) {
         for (most, sum) in residuals.iter_mut().zip(component) {
-            *most = most.max(if largest_term > 0.0 { sum.abs() / largest_term } else { 0.0 });
+            *most = most.max(if is_rounding { 0.0 } else { sum.abs() / largest });
         }
     }
     Ok(residuals)
 }
 
-/// Left side minus right side of the equation on the grid, component after component, and the largest single term.
+/// The equation on a grid.
+struct Terms {
+    /// Left side minus right side, component after component.
+    sums: Vec<f64>,
+    /// The largest single term.
+    largest: f64,
+    /// The size that terms have of a surface of size 1 that varies once over the grid.
+    natural: f64,
+}
+
+/// Of the natural size of a term. A term that vanishes by cancellation keeps rounding errors of the size of what cancels,
+/// some orders above the machine's precision; a true one that is as small as this changes no digit that a surface has.
+const ROUNDING: f64 = 1e-12;
+
+/// Evaluates the equation on the grid.
 fn equation(
     programs: &Programs,
     patch: &Patch,
     surface: &dyn Surface,
     bindings: &Bindings,
     (u, v, t): (&[f64], &[f64], f64),
-) -> Result<(Vec<f64>, f64), Diagnostic> {
+) -> Result<Terms, Diagnostic> {
     let points = u.len() * v.len();
+    let rate = |nodes: &[f64]| match nodes {
+        [first, .., last] if last > first => std::f64::consts::TAU / (last - first),
+        _ => 1.0,
+    };
+    let (rate_u, rate_v, mut natural) = (rate(u), rate(v), 0.0_f64);
     // The force stands on the right of the equation.
     let mut sums: Vec<f64> = programs.force.on_grid(bindings, (u, v, t))?.iter().map(|q| -q).collect();
     let mut largest = sums.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
@@ -276,6 +332,9 @@ fn equation(
         if factors.iter().all(|factor| *factor == 0.0) {
             continue;
         }
+        let power = |rate: f64, variable: Variable| libm::pow(rate, term.derivative.order(variable) as f64);
+        let unit = power(rate_u, Variable::U) * power(rate_v, Variable::V);
+        natural = factors.iter().fold(natural, |most, factor| most.max(factor.abs() * unit));
         surface.evaluate_grid(term.derivative, (u, v, t), &mut values)?;
         for (component, (sums, factors)) in sums.chunks_mut(points).zip(factors.chunks(points)).enumerate() {
             for ((sum, factor), value) in sums.iter_mut().zip(factors).zip(&values) {
@@ -291,7 +350,7 @@ fn equation(
                 .hint("a coefficient or the force has a pole, or the solution overflows");
         return Err(finding.at(patch.operator.origin));
     }
-    Ok((sums, largest))
+    Ok(Terms { sums, largest, natural })
 }
 
 fn not_finite(what: &str, value: Option<f64>, origin: Option<Span>, at: (&str, Option<&f64>), t: f64) -> Diagnostic {

@@ -1,8 +1,10 @@
 //! The command as its users run it: results, exit statuses, and what it leaves behind.
 
 mod bench;
+mod measured;
 mod notation;
 mod patches;
+mod reports;
 mod scenes;
 
 use std::io::Write;
@@ -121,29 +123,31 @@ fn bad_input_has_its_status_and_leaves_nothing() {
 #[test]
 fn bad_options_have_their_status_and_leave_nothing() {
     let cases: &[(&[&str], i32, &str)] = &[
-        (&["--grid", "0x5"], 1, "no quads"),
+        (&["--grid", "0x5"], 2, "no quads"),
         (&["--grid", "100000x100000"], 4, "samples"),
         (&["--grid", "many"], 2, "not a grid"),
-        (&["--terms", "0", "--method", "sine"], 1, "--terms"),
-        (&["--terms", "5", "--method", "exact"], 1, "no setting `terms`"),
-        (&["--points", "0x5", "--method", "sine"], 1, "no points"),
-        (&["--method", "magic"], 1, "no method"),
-        (&["--set", "q=1"], 1, "no param"),
-        (&["--set", "gamma=1/0"], 1, "infinity"),
+        (&["--terms", "0", "--method", "sine"], 2, "--terms"),
+        (&["--terms", "5", "--method", "exact"], 2, "no setting `terms`"),
+        (&["--points", "0x5", "--method", "sine"], 2, "no points"),
+        (&["--method", "magic"], 2, "no method"),
+        (&["--set", "q=1"], 2, "no param"),
+        (&["--set", "gamma=1/0"], 2, "infinity"),
         (&["--set", "gamma"], 2, "NAME=EXPR"),
         (&["--patch", "other"], 2, "no patch"),
-        (&["--time", "7"], 1, "outside"),
-        (&["--time", "1e300"], 1, "t = 1e300 lies outside"),
-        (&["--time", "-7"], 1, "t = -7 lies outside"),
+        (&["--time", "7"], 2, "outside"),
+        (&["--time", "1e300"], 2, "t = 1e300 lies outside"),
+        (&["--time", "-7"], 2, "t = -7 lies outside"),
         (&["--grid", "-1x4"], 2, "`-1x4` is not a grid"),
         (&["--frames", "-1"], 2, "'-1' for '--frames <N>': write a whole number"),
-        (&["--terms", "-1"], 1, "--terms"),
-        (&["--terms", "-1", "--method", "sine"], 1, "`-1` is not a number of terms"),
-        (&["--modes", "-1", "--method", "fourier"], 1, "`-1` is not a number of modes"),
-        (&["--tolerance", "-1"], 1, "the tolerance -1 lies outside"),
-        (&["--points", "-1x4"], 1, "`-1x4` is not a grid"),
-        (&["--frames", "0"], 1, "frames"),
+        (&["--terms", "-1"], 2, "--terms"),
+        (&["--terms", "-1", "--method", "sine"], 2, "`-1` is not a number of terms"),
+        (&["--modes", "-1", "--method", "fourier"], 2, "`-1` is not a number of modes"),
+        (&["--tolerance", "-1"], 2, "the tolerance -1 lies outside"),
+        (&["--points", "-1x4"], 2, "`-1x4` is not a grid"),
+        (&["--frames", "0"], 2, "frames"),
         (&["--limits", "nesting=0"], 4, "nesting"),
+        (&["--tolerance", "nan"], 2, "the tolerance NaN lies outside"),
+        (&["--method", "legendre", "--terms", "x"], 2, "`x` is not a number of terms"),
         (&["--limits", "size=3"], 2, "no limit"),
         (&["--what"], 2, "--what"),
     ];
@@ -278,6 +282,8 @@ fn bad_points_name_line_and_column() {
         ("u,v\n0.5\n", "line"),
         ("u,v\n0.5,NaN\n", "outside"),
         ("", "no column"),
+        ("u,v,y\n0,0,0\n", "a column is called `y`"),
+        ("u;v\n0;6.2831853072\n", "line 2: v = 6.2831853072 lies outside"),
     ];
     for (points, fragment) in cases {
         let output = trimline_reading(points, &["eval", &spec, "--points", "-"]);
@@ -286,6 +292,28 @@ fn bad_points_name_line_and_column() {
         assert!(errors.contains(fragment), "{points:?}: {errors}");
         assert!(output.stdout.is_empty());
     }
+}
+
+#[test]
+fn points_are_separated_as_their_first_line_shows_and_may_have_comments() {
+    let evaluated = |points: &str| done(&trimline_reading(points, &["eval", &example("eq19.trim"), "--points", "-"]));
+    let expected = evaluated("u,v\n0.25,1\n1,0\n");
+    let with_comments = evaluated("# measured\n\nu,v\n0.25,1\n# the rim\n1,0\n");
+    assert_eq!(with_comments, expected);
+    for separator in [";", "\t"] {
+        let points = format!("u{separator}v\n0.25{separator}1\n1{separator}0\n");
+        assert_eq!(evaluated(&points).replace(separator, ","), expected);
+    }
+}
+
+#[test]
+fn point_that_rounding_puts_outside_lies_on_the_end() {
+    let evaluated = |points: &str| {
+        let table = done(&trimline_reading(points, &["eval", &example("eq19.trim"), "--points", "-"]));
+        table.lines().nth(1).expect("a row").splitn(3, ',').nth(2).expect("values").to_owned()
+    };
+    assert_eq!(evaluated("u,v\n1.0000000000000002,0\n"), evaluated("u,v\n1,0\n"));
+    assert_eq!(evaluated("u,v\n0,6.283185307179587\n"), evaluated("u,v\n0,6.283185307179586\n"));
 }
 
 #[test]
@@ -455,5 +483,5 @@ fn series_is_reported_with_what_it_leaves_out() {
     let missed = missed.filter_map(|boundary| boundary["max_error"].as_f64()).fold(0.0, f64::max);
     assert!((missed / left_out - 1.0).abs() < 0.1, "{missed} {left_out}");
     assert!(text(&checked.stderr).contains("W0414"));
-    assert_eq!(status(&trimline(&["check", &spec, "--remainder", "half"])), 1);
+    assert_eq!(status(&trimline(&["check", &spec, "--remainder", "half"])), 2);
 }

@@ -56,8 +56,8 @@ fn patches_at(times: [&str; 2]) -> String {
 fn patches_are_fitted_at_an_instant_of_all_or_refused_with_their_times() {
     let cases: &[([&str; 2], &[&str], i32, &str)] = &[
         (["[0, 1]", "[2, 3]"], &[], 1, "`early` has t in [0, 1], `late` has t in [2, 3]"),
-        (["[0, 3]", "[2, 4]"], &["--time", "1"], 1, "t = 1 lies outside the time domain [2, 4] of `late`"),
-        (["[0, 3]", "[2, 4]"], &["--time", "3.5"], 1, "t = 3.5 lies outside the time domain [0, 3] of `early`"),
+        (["[0, 3]", "[2, 4]"], &["--time", "1"], 2, "t = 1 lies outside the time domain [2, 4] of `late`"),
+        (["[0, 3]", "[2, 4]"], &["--time", "3.5"], 2, "t = 3.5 lies outside the time domain [0, 3] of `early`"),
         (["[0, 3]", "[2, 4]"], &[], 0, "late at t = 2"),
     ];
     for (times, options, expected, words) in cases {
@@ -162,11 +162,11 @@ fn bad_requests_have_their_status_and_leave_nothing() {
     let cases: &[(&str, &[&str], i32, &str)] = &[
         ("part.obj", &[], 2, "write .step, .stp, .igs, .iges, .json"),
         ("part", &[], 2, "has no extension"),
-        ("part.step", &["--degree", "2"], 1, "use degree 3, 4 or 5"),
-        ("part.step", &["--tolerance", "0"], 1, "no positive length"),
-        ("part.step", &["--tolerance", "1e-30"], 1, "below the rounding"),
+        ("part.step", &["--degree", "2"], 2, "use degree 3, 4 or 5"),
+        ("part.step", &["--tolerance", "0"], 2, "no positive length"),
+        ("part.step", &["--tolerance", "1e-30"], 2, "below the rounding"),
         ("part.step", &["--tolerance", "1e-12", "--limits", "control-points=500"], 4, "`control-points` of 500"),
-        ("part.step", &["--time", "7"], 1, "outside the time domain"),
+        ("part.step", &["--time", "7"], 2, "outside the time domain"),
         ("part.step", &["--schema", "ap203"], 2, "ap203"),
     ];
     for (name, options, expected, words) in cases {

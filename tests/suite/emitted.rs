@@ -275,7 +275,7 @@ fn number_beyond_single_precision_is_refused_by_shaders_only() {
     for language in Language::ALL {
         let emitted = emit(&huge.formula, *language);
         match language.is_single_precision() {
-            true => assert_eq!(emitted.expect_err("too large").code, Code::OutputFailed),
+            true => assert_eq!(emitted.expect_err("too large").code, Code::FormatCannotHold),
             false => assert!(emitted.is_ok(), "{}", language.name()),
         }
     }

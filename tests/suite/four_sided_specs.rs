@@ -71,7 +71,7 @@ fn specs_without_separable_surfaces_are_checked_and_meshed_and_emitted_as_spline
         let deviation: f64 = stated.and_then(|text| text.parse().ok()).expect("a deviation");
         assert!(deviation > 0.0 && deviation <= 1e-5, "{deviation}");
         let refused = trimline(&["emit", &example(spec), "--lang", "c", "--within", "-1"]);
-        assert!(status(&refused) == 1 && text(&refused.stderr).contains("no positive length"));
+        assert!(status(&refused) == 2 && text(&refused.stderr).contains("no positive length"));
     }
 }
 

@@ -293,7 +293,11 @@ fn loop_is_copied_as_a_whole() {
     let spec = folder.spec(polygon(3) + "repeat hole 2 times moved by [0, 0, 3]\n");
     let output = done(&trimline(&["check", &spec, "--time", "0", "--format", "json"]));
     let report: Value = serde_json::from_str(&output).expect("JSON");
-    assert_eq!(report["copies"][2], serde_json::json!({"name": "hole2.3", "original": "hole.3"}), "{output}");
+    assert_eq!(
+        report["copies"][2],
+        serde_json::json!({"spec": spec, "name": "hole2.3", "original": "hole.3"}),
+        "{output}"
+    );
     assert_eq!(report["seams"].as_array().map(Vec::len), Some(6), "{output}");
 }
 

@@ -1,6 +1,8 @@
 //! `trimline check`: reads, resolves, solves and measures.
 
-use std::fmt::Write;
+mod text;
+
+pub use text::instants_text;
 
 use clap::Args;
 use serde::Serialize;
@@ -13,14 +15,17 @@ use trimline::threads;
 use trimline::verify::{ApexDeviation, JoinDeviation, Verification, verify_apexes, verify_joins};
 
 use crate::Outcome;
-use crate::failure::{Failure, Said, print_warnings};
+use crate::bounds::{Bounds, Exceeded, Measured, Quantity};
+use crate::failure::{Failure, Said};
+use crate::finding::{Finding, Findings};
 use crate::joins::{self, JoinReport};
 use crate::nets::{self, NetReport};
 use crate::options::{Collocation, Format, Solving, Terminal};
-use crate::output::{self, rounded};
+use crate::output;
 use crate::parts::{Located, Part};
 use crate::seams::{self, SeamReport};
 use crate::workflow::{Patched, Solved, Spec, common_times};
+use text::text;
 
 #[derive(Args)]
 pub struct Arguments {
@@ -38,13 +43,8 @@ pub struct Arguments {
     #[arg(long)]
     explain: bool,
 
-    /// Fail if the surface misses a prescribed position, a joined surface or a seam by more than this.
-    #[arg(long, value_name = "LENGTH")]
-    max_gap: Option<f64>,
-
-    /// Fail if the surface meets a joined surface, or another patch at a seam, at a larger angle than this.
-    #[arg(long, value_name = "DEGREES")]
-    max_angle: Option<f64>,
+    #[command(flatten)]
+    bounds: Bounds,
 
     /// How to print.
     #[arg(long, value_enum, default_value_t = Format::Text)]
@@ -57,13 +57,38 @@ const INNER_INSTANTS: usize = 7;
 /// A residual that deserves a word.
 const LARGE_RESIDUAL: f64 = 0.1;
 
+/// What was measured of all specs.
 #[derive(Serialize)]
-struct Report {
+struct Report<'a> {
+    patches: Vec<Of<'a, PatchReport>>,
+    nets: Vec<Of<'a, NetReport>>,
+    copies: Vec<Of<'a, CopyReport>>,
+    seams: Vec<Of<'a, SeamReport>>,
+    findings: Vec<Of<'a, Finding>>,
+    exceeded: Vec<Of<'a, Exceeded>>,
+    passed: bool,
+}
+
+/// Something of one spec.
+#[derive(Serialize)]
+struct Of<'a, T> {
+    spec: &'a str,
+    #[serde(flatten)]
+    what: &'a T,
+}
+
+/// What was measured of one spec, and what there is to say about it.
+#[derive(Default)]
+struct Checked {
+    spec: String,
     patches: Vec<PatchReport>,
     nets: Vec<NetReport>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
     copies: Vec<CopyReport>,
     seams: Vec<SeamReport>,
+    findings: Vec<Finding>,
+    exceeded: Vec<Exceeded>,
+    /// Whether it could be measured.
+    is_sound: bool,
     passed: bool,
 }
 
@@ -73,7 +98,6 @@ struct PatchReport {
     method: &'static str,
     boundaries: Vec<Boundary>,
     joins: Vec<JoinReport>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
     apexes: Vec<ApexReport>,
     pde_residual: f64,
     /// The instant at which the residual is that large.
@@ -115,6 +139,14 @@ struct Boundary {
     max_error: f64,
 }
 
+impl Boundary {
+    /// `S at u = 0`
+    fn describe(&self) -> String {
+        let across = if self.u.is_some() { Variable::U } else { Variable::V };
+        describe(None, self.order, across, self.u.or(self.v).unwrap_or(f64::NAN))
+    }
+}
+
 /// A side that is a point.
 #[derive(Serialize)]
 struct ApexReport {
@@ -133,68 +165,82 @@ struct CopyReport {
     original: String,
 }
 
-/// What one spec adds to the report, and the stated seams that are open.
-type Checked = (Vec<PatchReport>, Vec<NetReport>, Vec<CopyReport>, Vec<SeamReport>, Option<Failure>);
-
 pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
-    for (option, most) in [("--max-gap", arguments.max_gap), ("--max-angle", arguments.max_angle)] {
-        if most.is_some_and(|most| most.is_nan() || most < 0.0) {
-            return Err(Failure::Usage(format!("{option} takes a number, 0 or more")));
-        }
-    }
-    let mut report =
-        Report { patches: Vec::new(), nets: Vec::new(), copies: Vec::new(), seams: Vec::new(), passed: true };
+    arguments.bounds.check()?;
+    let mut all: Vec<Checked> = Vec::new();
     let mut failures: Vec<Failure> = Vec::new();
     for path in &arguments.spec {
-        match check(path, arguments, terminal) {
-            Ok((patches, nets, copies, seams, open)) => {
-                report.patches.extend(patches);
-                report.nets.extend(nets);
-                report.copies.extend(copies);
-                report.seams.extend(seams);
-                report.passed &= open.is_none();
-                if let Some(open) = open {
-                    open.print(terminal);
-                }
-            }
-            Err(failure) => failures.push(failure),
-        }
+        let mut findings = Findings { terminal, all: Vec::new() };
+        let checked = check(path, arguments, &mut findings);
+        let mut checked = checked.unwrap_or_else(|failure| {
+            findings.all.extend(Finding::of_failure(&failure));
+            failures.push(failure);
+            Checked::default()
+        });
+        checked.spec.clone_from(path);
+        checked.findings = findings.all;
+        let warnings = checked.findings.iter().filter_map(Finding::warning);
+        checked.exceeded = arguments.bounds.exceeded(&measured(&checked), warnings);
+        checked.passed &= checked.exceeded.is_empty();
+        all.push(checked);
     }
-    // With several specs each fault is reported; the last one decides the status.
-    if let Some(last) = failures.pop() {
-        failures.iter().for_each(|failure| failure.print(terminal));
-        return Err(last);
-    }
-    report.passed &= is_within(arguments.max_gap, gaps(&report).map(Some));
-    report.passed &= is_within(arguments.max_angle, angles(&report));
+    // Of several faults each is reported; the last one decides the status.
+    let last = failures.pop();
+    failures.iter().for_each(|failure| failure.print(terminal));
     match arguments.format {
-        Format::Text => output::print(&text(&report))?,
-        Format::Json => output::print_json(&report)?,
+        Format::Text if all.iter().any(|checked| checked.is_sound) => output::print(&text(&all))?,
+        Format::Text => {}
+        Format::Json => output::print_json(&report(&all))?,
     }
-    if report.passed { Ok(()) } else { Err(Failure::NotPassed) }
+    match last {
+        Some(failure) => Err(failure),
+        None if all.iter().all(|checked| checked.passed) => Ok(()),
+        None => Err(Failure::NotPassed),
+    }
 }
 
-/// Whether all values are at most `most`; what has none, such as an angle without normals, is not shown to be small.
-fn is_within(most: Option<f64>, mut found: impl Iterator<Item = Option<f64>>) -> bool {
-    most.is_none_or(|most| found.all(|found| found.is_some_and(|found| found <= most)))
+fn report(all: &[Checked]) -> Report<'_> {
+    fn of<'a, T>(all: &'a [Checked], list: impl Fn(&'a Checked) -> &'a [T]) -> Vec<Of<'a, T>> {
+        all.iter().flat_map(|checked| list(checked).iter().map(|what| Of { spec: &checked.spec, what })).collect()
+    }
+    Report {
+        patches: of(all, |checked| &checked.patches),
+        nets: of(all, |checked| &checked.nets),
+        copies: of(all, |checked| &checked.copies),
+        seams: of(all, |checked| &checked.seams),
+        findings: of(all, |checked| &checked.findings),
+        exceeded: of(all, |checked| &checked.exceeded),
+        passed: all.iter().all(|checked| checked.passed),
+    }
 }
 
-/// Every measured distance.
-fn gaps(report: &Report) -> impl Iterator<Item = f64> {
-    let boundaries = report.patches.iter().flat_map(|patch| &patch.boundaries).filter(|boundary| boundary.order == 0);
-    let joins = report.patches.iter().flat_map(|patch| &patch.joins).map(|join| join.gap);
-    boundaries.map(|boundary| boundary.max_error).chain(joins).chain(report.seams.iter().map(|seam| seam.gap))
+/// Every number on which there can be a bound.
+fn measured(checked: &Checked) -> Vec<Measured> {
+    let mut measured = Vec::new();
+    let mut add = |quantity, place: &str, value| measured.push(Measured { quantity, place: place.to_owned(), value });
+    for patch in &checked.patches {
+        for boundary in patch.boundaries.iter().filter(|boundary| boundary.order == 0) {
+            let place = format!("{} of {}", boundary.describe(), patch.name);
+            add(Quantity::Gap, &place, Some(boundary.max_error));
+        }
+        for join in &patch.joins {
+            let place = format!("{} at u = {} of {}", join.surface, Shortest(join.u), patch.name);
+            add(Quantity::Gap, &place, Some(join.gap));
+            add(Quantity::Angle, &place, join.angle_degrees);
+        }
+        add(Quantity::Residual, &format!("PDE residual of {}", patch.name), Some(patch.pde_residual));
+    }
+    for seam in &checked.seams {
+        let place = seam.describe();
+        add(Quantity::Gap, &place, Some(seam.gap));
+        add(Quantity::Angle, &place, seam.angle_degrees);
+    }
+    measured
 }
 
-/// Every measured angle.
-fn angles(report: &Report) -> impl Iterator<Item = Option<f64>> {
-    let joins = report.patches.iter().flat_map(|patch| &patch.joins).map(|join| join.angle_degrees);
-    joins.chain(report.seams.iter().map(|seam| seam.angle_degrees))
-}
-
-fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Checked, Failure> {
+fn check(path: &str, arguments: &Arguments, findings: &mut Findings<'_>) -> Result<Checked, Failure> {
     let spec = Spec::read(path, &arguments.solving.reading)?;
-    print_warnings(&spec.warnings, &spec.source, terminal);
+    findings.warn(&spec.warnings, &spec.source);
     // A stated morph that cannot be made is a fault of the spec, though its patches are sound.
     if let Some([source, target]) = ends(&spec.problem) {
         interpolate(&source, &target, &spec.limits).map_err(|finding| spec.fault(finding))?;
@@ -208,24 +254,26 @@ fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Check
     };
     let times = parts.iter().map(times_of).collect::<Result<Vec<_>, _>>()?;
     // What takes time, in any order; what there is to say follows in the order of parts and instants.
-    let solved = parts.iter().zip(&times).filter_map(|(part, times)| match part {
+    let solved = parts.iter().zip(&times).filter_map(|(part, times)| match measured_part(part) {
         Part::Patch(patched) => Some(times.iter().map(move |time| (&**patched, *time))),
         _ => None,
     });
-    let mut measured =
+    let mut solutions =
         threads::map(solved.flatten().collect(), |(patched, time)| measure(&spec, patched, time)).into_iter();
     for (part, times) in parts.iter().zip(times) {
+        if let Part::Copy(copied) = part {
+            let original = copied.original.name().to_owned();
+            copies.push(CopyReport { name: part.name().to_owned(), original });
+        }
+        let part = measured_part(part);
         let patched = match part {
             Part::Patch(patched) => patched,
             Part::Net(_) => {
-                net_reports.push(nets::report(&spec, part, times, terminal)?);
+                net_reports.push(nets::report(&spec, part, times, findings)?);
                 continue;
             }
-            Part::Copy(copied) => {
-                let original = copied.original.name().to_owned();
-                copies.push(CopyReport { name: part.name().to_owned(), original });
-                continue;
-            }
+            // Its original is among the parts.
+            Part::Copy(_) => continue,
         };
         let mut worst: Option<Verification> = None;
         let mut joins: Option<Vec<JoinDeviation>> = None;
@@ -235,12 +283,12 @@ fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Check
         let mut largest_residual = (0.0, times.first().copied().unwrap_or_default());
         let mut said = Said::default();
         for &time in &times {
-            let Some(here) = measured.next() else { break };
-            let Measured { solved, joins: met, apexes: found } = here?;
+            let Some(here) = solutions.next() else { break };
+            let AtInstant { solved, joins: met, apexes: found } = here?;
             method = solved.solution.report.method;
             let here = solved.solution.report.amplification;
             amplification = here.into_iter().chain(amplification).reduce(f64::max);
-            print_warnings(&said.news(solved.solution.report.warnings), &spec.source, terminal);
+            findings.warn(&said.news(solved.solution.report.warnings), &spec.source);
             if solved.measured.relative_residual() > largest_residual.0 {
                 largest_residual = (solved.measured.relative_residual(), time);
             }
@@ -269,33 +317,47 @@ fn check(path: &str, arguments: &Arguments, terminal: &Terminal) -> Result<Check
             });
         }
     }
-    let (seams, open) = match seam_times(arguments, &spec, &parts) {
-        Some(times) => {
-            let surfaces_at =
-                |time| threads::try_map(parts.iter().collect(), |part| Ok(spec.shape(part, time)?.surface));
-            seams::measure(&spec, &parts.iter().collect::<Vec<_>>(), &times, surfaces_at)?
-        }
-        None => Default::default(),
+    let surfaces_at = |time| {
+        let surface = |part: &Part| {
+            let exists = holds(part.domain().t, time);
+            exists.then(|| spec.shape(part, time).map(|shape| shape.surface)).transpose()
+        };
+        threads::try_map(parts.iter().collect(), surface)
     };
-    let open = if open.is_empty() { None } else { Some(Failure::found(&spec.source, open)) };
-    Ok((reports, net_reports, copies, seams, open))
+    let times = seam_times(arguments, &spec, &parts);
+    let (seams, open) = seams::measure(&spec, &parts.iter().collect::<Vec<_>>(), &times, surfaces_at)?;
+    let passed = open.is_empty();
+    if !passed {
+        let open = Failure::found(&spec.source, open);
+        open.print(findings.terminal);
+        findings.all.extend(Finding::of_failure(&open));
+    }
+    Ok(Checked { patches: reports, nets: net_reports, copies, seams, passed, is_sound: true, ..Checked::default() })
+}
+
+/// What is measured in place of `part`: of a copy that stands in for its original, the original.
+fn measured_part(part: &Part) -> &Part {
+    match part {
+        Part::Copy(copied) if copied.stands_in => &copied.original,
+        part => part,
+    }
 }
 
 /// A patch at one instant.
-struct Measured {
+struct AtInstant {
     solved: Solved,
     joins: Vec<JoinDeviation>,
     apexes: Vec<ApexDeviation>,
 }
 
-fn measure(spec: &Spec, patched: &Patched, time: f64) -> Result<Measured, Failure> {
+fn measure(spec: &Spec, patched: &Patched, time: f64) -> Result<AtInstant, Failure> {
     let solved = spec.solve(patched, time)?;
     let (patch, surface) = (patched.prepared.patch(), &*solved.solution.surface);
     let at = (&spec.bindings, &patched.prepared.domain, time);
     let fault = |finding| spec.fault(finding);
     let joins = verify_joins(&spec.problem, patch, surface, at, &spec.limits).map_err(fault)?;
     let apexes = verify_apexes(&spec.problem, patch, surface, at).map_err(fault)?;
-    Ok(Measured { solved, joins, apexes })
+    Ok(AtInstant { solved, joins, apexes })
 }
 
 /// Those sides that are points at all instants so far, each at its worst.
@@ -315,14 +377,28 @@ fn apex_report(ApexDeviation { across, position, apex }: ApexDeviation) -> ApexR
     ApexReport { u, v, angle_degrees: apex.angle_degrees }
 }
 
-/// The instants at which seams are measured; `None` if there can be none.
-fn seam_times(arguments: &Arguments, spec: &Spec, parts: &[Part]) -> Option<Vec<f64>> {
-    let range = common_times(parts).filter(|_| parts.len() > 1 || !spec.problem.seams.is_empty());
-    match (range, arguments.solving.time) {
-        (None, _) => None,
-        (Some(_), Some(time)) => Some(vec![time]),
-        (Some(range), None) => Some(measured_instants(range)),
+/// The instants at which seams are measured: those of whatever time two parts have in common. None where no seam can be.
+fn seam_times(arguments: &Arguments, spec: &Spec, parts: &[Part]) -> Vec<f64> {
+    if parts.len() < 2 && spec.problem.seams.is_empty() {
+        return Vec::new();
     }
+    if let Some(time) = arguments.solving.time {
+        return vec![time];
+    }
+    let mut ranges: Vec<[f64; 2]> = Vec::new();
+    for (index, part) in parts.iter().enumerate() {
+        for other in parts.iter().skip(index) {
+            ranges.extend(common_times(&[part, other]).filter(|range| !ranges.contains(range)));
+        }
+    }
+    let mut times: Vec<f64> = ranges.into_iter().flat_map(measured_instants).collect();
+    times.sort_by(f64::total_cmp);
+    times.dedup();
+    times
+}
+
+fn holds([start, end]: [f64; 2], time: f64) -> bool {
+    (start..=end).contains(&time)
 }
 
 /// Both ends of the time, and instants between them at multiples of the golden section: evenly spaced ones would all be
@@ -376,86 +452,4 @@ fn explanations(spec: &Spec, patch: &Patch) -> Result<Explanations, Failure> {
         Ok::<_, Failure>(Explained { params, data, equation, domain, constraints, deformations, whole })
     };
     Ok(Explanations { unicode: explained(Notation::Unicode)?, latex: explained(Notation::Latex)? })
-}
-
-/// Writing to a string does not fail.
-fn text(report: &Report) -> String {
-    let mut text = String::new();
-    for patch in &report.patches {
-        let when = instants_text(&patch.times);
-        if let Some(explanation) = &patch.explanation {
-            let (unicode, latex) = (&explanation.unicode.whole, &explanation.latex.whole);
-            let _ = writeln!(text, "patch {} as it was understood\n\n{unicode}\nin LaTeX\n\n{latex}", patch.name);
-        }
-        let _ = writeln!(text, "patch {}: method {}, {when}", patch.name, patch.method);
-        for boundary in &patch.boundaries {
-            let across = if boundary.u.is_some() { Variable::U } else { Variable::V };
-            let position = boundary.u.or(boundary.v).unwrap_or(f64::NAN);
-            let what = describe(None, boundary.order, across, position);
-            let _ = writeln!(text, "  {what:20} largest error {}", rounded(boundary.max_error));
-        }
-        for join in &patch.joins {
-            let _ =
-                writeln!(text, "  {:20} {}", format!("{} at u = {}", join.surface, Shortest(join.u)), join_text(join));
-        }
-        for apex in &patch.apexes {
-            let (name, position) = apex.u.map_or(("v", apex.v.unwrap_or(f64::NAN)), |u| ("u", u));
-            let angle = match apex.angle_degrees {
-                Some(angle) => format!("tangents leave one plane by up to {}°", rounded(angle)),
-                None => "tangents span no plane".to_owned(),
-            };
-            let _ = writeln!(text, "  {:20} {angle}", format!("apex at {name} = {position}"));
-        }
-        let _ = writeln!(text, "  {:20} {}", "PDE residual", residual_text(patch));
-    }
-    for net in &report.nets {
-        nets::write_report(&mut text, net);
-    }
-    for CopyReport { name, original } in &report.copies {
-        let _ = writeln!(text, "patch {name}: a copy of {original}");
-    }
-    for SeamReport { between: [a, b], gap, angle_degrees, .. } in &report.seams {
-        let places = format!("{} with {}", a.describe(), b.describe());
-        let _ = writeln!(text, "seam {places}: gap {}, {}", rounded(*gap), angle_text(*angle_degrees));
-    }
-    let _ = writeln!(text, "{}", if report.passed { "passed" } else { "not passed" });
-    text
-}
-
-/// The instants at which something was measured.
-pub fn instants_text(times: &[f64]) -> String {
-    match times {
-        [first, .., last] => format!("{} instants from t = {first} to {last}", times.len()),
-        times => times.iter().map(|time| format!("t = {time}")).collect(),
-    }
-}
-
-fn residual_text(patch: &PatchReport) -> String {
-    let mut text = format!("{} of the largest term", rounded(patch.pde_residual));
-    if patch.pde_residual > LARGE_RESIDUAL {
-        let _ = write!(
-            text,
-            " at t = {}: the boundary is met, the equation is not solved there",
-            Shortest(patch.pde_residual_time)
-        );
-    }
-    text
-}
-
-fn join_text(join: &JoinReport) -> String {
-    let mut text = format!("gap {}, {}", rounded(join.gap), angle_text(join.angle_degrees));
-    if let Some(tangent) = join.tangent {
-        let _ = write!(text, ", unit tangents {} apart", rounded(tangent));
-    }
-    if let Some(curvature) = join.curvature {
-        let _ = write!(text, ", curvatures {} apart", rounded(curvature));
-    }
-    if join.without_normal > 0 {
-        let _ = write!(text, "; {} points without a normal", join.without_normal);
-    }
-    text
-}
-
-fn angle_text(angle: Option<f64>) -> String {
-    angle.map_or_else(|| "no normals to compare".to_owned(), |angle| format!("angle {}°", rounded(angle)))
 }

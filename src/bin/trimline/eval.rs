@@ -1,7 +1,7 @@
 //! `trimline eval`: the surface and its derivatives at given points, CSV in and CSV out.
 
 use std::collections::BTreeMap;
-use std::io::Read;
+use std::io::{BufRead, BufReader, Cursor, Read};
 use std::path::Path;
 
 use clap::Args;
@@ -47,6 +47,8 @@ pub struct Arguments {
 
 /// The input: its header, its rows, and patch and point of each row.
 pub struct Table {
+    /// Between the cells, as in the input.
+    separator: u8,
     header: csv::StringRecord,
     rows: Vec<csv::StringRecord>,
     pub patches: Vec<usize>,
@@ -136,7 +138,9 @@ pub fn read_table<P: Located>(file: &str, time: Option<f64>, parts: &[P], allowe
     } else {
         Box::new(files::open(Path::new(file)).map_err(|error| unreadable(&error))?)
     };
-    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(input);
+    let (separator, input) = with_separator(input).map_err(|error| unreadable(&error))?;
+    let mut building = csv::ReaderBuilder::new();
+    let mut reader = building.delimiter(separator).comment(Some(b'#')).trim(csv::Trim::All).from_reader(input);
     let bad = |message: String| Failure::Found {
         source: None,
         findings: vec![Diagnostic::new(Code::BadPoints, format!("{shown}: {message}"))],
@@ -149,10 +153,13 @@ pub fn read_table<P: Located>(file: &str, time: Option<f64>, parts: &[P], allowe
             _ => Err(bad(format!("the column `{name}` occurs twice"))),
         }
     };
+    if let Some(name) = header.iter().find(|name| COMPONENTS.contains(name)) {
+        return Err(bad(format!("a column is called `{name}`, as one of the result's is: give it another name")));
+    }
     let required = |name: &str| column(name)?.ok_or_else(|| bad(format!("the header names no column `{name}`")));
     let columns = [Some(required("u")?), Some(required("v")?), column("t")?];
     let names: Vec<&str> = parts.iter().map(Located::name).collect();
-    let patch_column = if names.len() == 1 { None } else { column("patch")? };
+    let patch_column = column("patch")?;
     if names.len() != 1 && patch_column.is_none() {
         let message = format!("the spec has the patches {}", names.join(", "));
         return Err(Failure::Usage(format!("{message}: choose one with --patch, or give the points a column `patch`")));
@@ -170,7 +177,10 @@ pub fn read_table<P: Located>(file: &str, time: Option<f64>, parts: &[P], allowe
         let index = match name {
             None => 0,
             Some(name) => names.iter().position(|known| *known == name).ok_or_else(|| {
-                bad(format!("line {line}: there is no patch `{name}`; patches: {}", names.join(", ")))
+                bad(format!(
+                    "line {line}: there is no patch `{name}` among those that are evaluated: {}",
+                    names.join(", ")
+                ))
             })?,
         };
         let Some((part, time)) = parts.get(index).zip(times.get(index)) else { continue };
@@ -183,6 +193,7 @@ pub fn read_table<P: Located>(file: &str, time: Option<f64>, parts: &[P], allowe
             let text = record.get(column).unwrap_or("");
             *coordinate =
                 text.parse().map_err(|_| bad(format!("line {line}: `{text}` in column `{name}` is not a number")))?;
+            *coordinate = onto_end(*coordinate, [low, high]);
             if !(low..=high).contains(coordinate) {
                 let (low, high) = (Shortest(low), Shortest(high));
                 let message = format!("{shown}: line {line}: {name} = {text} lies outside the domain [{low}, {high}]");
@@ -196,7 +207,34 @@ pub fn read_table<P: Located>(file: &str, time: Option<f64>, parts: &[P], allowe
         patches.push(index);
         points.push(point);
     }
-    Ok(Table { header, rows, patches, points })
+    Ok(Table { separator, header, rows, patches, points })
+}
+
+/// Bytes of a first line that are read to see what separates its cells.
+const LONGEST_HEADER: u64 = 1 << 16;
+
+/// What separates the cells: commas, or else semicolons, or else tabs, as the first line shows that is neither empty nor
+/// a comment; and the input from its beginning.
+fn with_separator(input: impl Read + 'static) -> std::io::Result<(u8, Box<dyn Read>)> {
+    let mut input = BufReader::new(input);
+    let mut begun = Vec::new();
+    loop {
+        let start = begun.len();
+        let read = (&mut input).take(LONGEST_HEADER).read_until(b'\n', &mut begun)?;
+        let line = begun.get(start..).unwrap_or_default().trim_ascii();
+        if read > 0 && (line.is_empty() || line.starts_with(b"#")) {
+            continue;
+        }
+        let separator = [b',', b';', b'\t'].into_iter().find(|separator| line.contains(separator));
+        return Ok((separator.unwrap_or(b','), Box::new(Cursor::new(begun).chain(input))));
+    }
+}
+
+/// A coordinate that a rounding error puts outside its range, at the range's end: `2π` is written in many ways.
+fn onto_end(coordinate: f64, [low, high]: [f64; 2]) -> f64 {
+    let reach = 4.0 * f64::EPSILON * low.abs().max(high.abs());
+    let nearest = coordinate.clamp(low, high);
+    if (coordinate - nearest).abs() <= reach { nearest } else { coordinate }
 }
 
 /// Positions, then each derivative, at every point; each patch is solved once for each distinct instant.
@@ -237,7 +275,7 @@ fn evaluate(
 
 fn write_table(table: &Table, derivatives: &[Derivative], values: &[Vec<[f64; 3]>]) -> Result<String, Failure> {
     let failed = |error: &dyn std::fmt::Display| Failure::Machine(format!("cannot write the table: {error}"));
-    let mut writer = csv::Writer::from_writer(Vec::new());
+    let mut writer = csv::WriterBuilder::new().delimiter(table.separator).from_writer(Vec::new());
     let suffixes = std::iter::once(String::new()).chain(derivatives.iter().map(|derivative| format!("_{derivative}")));
     let names = suffixes.flat_map(|suffix| COMPONENTS.map(|component| format!("{component}{suffix}")));
     let header: Vec<String> = table.header.iter().map(str::to_owned).chain(names).collect();

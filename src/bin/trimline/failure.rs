@@ -18,6 +18,13 @@ pub enum Failure {
         /// What is wrong; at least one error.
         findings: Diagnostics,
     },
+    /// Something is wrong with the value of an option, which is the text the findings point into.
+    Option {
+        /// The option's name and its value.
+        source: Source,
+        /// What is wrong; at least one error.
+        findings: Diagnostics,
+    },
     /// The command line asks for something that does not exist.
     Usage(String),
     /// The machine did not do what it was asked.
@@ -41,19 +48,27 @@ impl Failure {
 
     /// The status that scripts rely on.
     pub fn status(&self) -> ExitCode {
+        let class = |findings: &Diagnostics| {
+            let first = findings.iter().find(|finding| finding.severity() == Severity::Error);
+            first.map_or(Class::Source, Diagnostic::class)
+        };
+        let of_class = |class: Class| match class {
+            Class::Source | Class::Unsupported => 1,
+            Class::Numerical => 3,
+            Class::Limit => 4,
+            Class::Host | Class::Output => 5,
+        };
         ExitCode::from(match self {
-            Failure::Found { findings, .. } => {
-                let first = findings.iter().find(|finding| finding.severity() == Severity::Error);
-                match first.map_or(Class::Source, Diagnostic::class) {
-                    Class::Source | Class::Unsupported => 1,
-                    Class::Numerical => 3,
-                    Class::Limit => 4,
-                    Class::Host | Class::Output => 5,
-                }
-            }
+            Failure::Found { findings, .. } => of_class(class(findings)),
+            Failure::Option { findings, .. } => match class(findings) {
+                Class::Source => 2,
+                class => of_class(class),
+            },
             Failure::NotPassed => 1,
             Failure::Usage(_) => 2,
-            Failure::Machine(_) | Failure::Closed => 5,
+            Failure::Machine(_) => 5,
+            // Who reads only the beginning, as `head` does, has what he wants.
+            Failure::Closed => 0,
         })
     }
 
@@ -61,6 +76,7 @@ impl Failure {
     pub fn print(&self, terminal: &Terminal) {
         match self {
             Failure::Found { source, findings } => print_all(findings, source.as_ref(), terminal),
+            Failure::Option { source, findings } => print_all(findings, Some(source), terminal),
             Failure::Usage(message) | Failure::Machine(message) => say(&format!("error: {message}")),
             Failure::NotPassed | Failure::Closed => {}
         }
@@ -70,20 +86,17 @@ impl Failure {
 /// What was said about one patch at some of its instants.
 #[derive(Clone, Default)]
 pub struct Said {
-    findings: Vec<(Code, Option<Span>)>,
+    findings: Vec<(Code, Option<Span>, String)>,
 }
 
 impl Said {
-    /// The warnings that no earlier instant gave: of one code at one place only the numbers differ.
+    /// The warnings of one instant that no earlier instant gave: of one code at one place, with one marker, only the
+    /// numbers differ.
     pub fn news(&mut self, warnings: Diagnostics) -> Diagnostics {
-        let mut news = Diagnostics::new();
-        for warning in warnings {
-            let finding = (warning.code, warning.span);
-            if !self.findings.contains(&finding) {
-                self.findings.push(finding);
-                news.push(warning);
-            }
-        }
+        let identity = |warning: &Diagnostic| (warning.code, warning.span, warning.marker.clone());
+        let here: Vec<_> = warnings.iter().map(identity).collect();
+        let news = warnings.into_iter().filter(|warning| !self.findings.contains(&identity(warning))).collect();
+        self.findings.extend(here);
         news
     }
 }

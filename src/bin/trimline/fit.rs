@@ -86,7 +86,8 @@ pub fn run(mut arguments: Arguments, terminal: &Terminal) -> Outcome {
         CadFormat::from_extension(extension, schema)
     })?;
     // The option is this command's own; a method takes its tolerance from the spec.
-    let settings = settings(arguments.degree, arguments.solving.tolerance.take().as_deref())?;
+    let tolerance = arguments.solving.tolerance.take();
+    let settings = settings(arguments.degree, tolerance.as_deref())?;
     let spec = Spec::read(&arguments.spec, &arguments.solving.reading)?;
     let points = arguments.collocation.points.as_deref();
     let parts = spec.parts(&arguments.solving, points)?;
@@ -108,7 +109,7 @@ pub fn run(mut arguments: Arguments, terminal: &Terminal) -> Outcome {
     let mut fits = match fitted.as_slice() {
         [] => Vec::new(),
         targets => fit(targets, time, &settings, &spec.limits)
-            .map_err(|finding| Failure::Found { source: None, findings: vec![finding] })?,
+            .map_err(|finding| about_settings(finding, settings.degree, tolerance.as_deref()))?,
     }
     .into_iter();
     let (mut faces, mut reports) = (Vec::new(), Vec::new());
@@ -142,6 +143,15 @@ pub fn run(mut arguments: Arguments, terminal: &Terminal) -> Outcome {
             }
             Ok(())
         }
+    }
+}
+
+/// A finding about a setting that is out of range is shown in the option that it is about.
+fn about_settings(finding: Diagnostic, degree: usize, tolerance: Option<&str>) -> Failure {
+    match tolerance {
+        _ if finding.code != Code::SettingOutOfRange => Failure::Found { source: None, findings: vec![finding] },
+        Some(tolerance) if finding.message.contains("tolerance") => option_finding("tolerance", tolerance, finding),
+        _ => option_finding("degree", &degree.to_string(), finding),
     }
 }
 

@@ -5,12 +5,14 @@
 
 mod basis;
 mod bench;
+mod bounds;
 mod check;
 mod drawing;
 mod emit;
 mod eval;
 mod failure;
 mod files;
+mod finding;
 mod fit;
 mod fmt;
 mod joins;

@@ -11,6 +11,7 @@ use trimline::surface::KnotVector;
 
 use crate::check::instants_text;
 use crate::failure::{Failure, Said, print_warnings};
+use crate::finding::Findings;
 use crate::options::Terminal;
 use crate::output::rounded;
 use crate::parts::{Located, Part};
@@ -29,12 +30,12 @@ pub struct NetReport {
 }
 
 /// Fills the net at all `times`.
-pub fn report(spec: &Spec, part: &Part, times: Vec<f64>, terminal: &Terminal) -> Result<NetReport, Failure> {
+pub fn report(spec: &Spec, part: &Part, times: Vec<f64>, findings: &mut Findings<'_>) -> Result<NetReport, Failure> {
     let mut said = Said::default();
     let (mut control_points, mut amplification) = ([0; 2], [0.0; 2]);
     for &time in &times {
         let shape = spec.shape(part, time)?;
-        print_warnings(&said.news(shape.warnings), &spec.source, terminal);
+        findings.warn(&said.news(shape.warnings), &spec.source);
         if let Some(net) = shape.net {
             control_points = net.filled.surface.knots().map(KnotVector::points);
             amplification = net.filled.amplification;

@@ -186,7 +186,7 @@ impl Solving {
 pub fn option_finding(option: &str, value: &str, finding: Diagnostic) -> Failure {
     let source = Source::new(format!("--{option}"), value);
     let whole = trimline::diagnostic::Span::new(0, value.len());
-    Failure::one(&source, finding.at(whole))
+    Failure::Option { source, findings: vec![finding.at(whole)] }
 }
 
 /// Reads how many.

@@ -42,6 +42,20 @@ pub trait Located {
     }
 }
 
+impl<P: Located> Located for &P {
+    fn name(&self) -> &str {
+        (**self).name()
+    }
+
+    fn domain(&self) -> &DomainValues {
+        (**self).domain()
+    }
+
+    fn is_four_sided(&self) -> bool {
+        (**self).is_four_sided()
+    }
+}
+
 impl Located for Patched {
     fn name(&self) -> &str {
         &self.prepared.patch().name
@@ -68,6 +82,8 @@ pub enum Part {
 pub struct Copied {
     pub copy: PatchCopy,
     pub original: Part,
+    /// Whether it speaks for its original, which is not among the parts: what is to be said and measured of it.
+    pub stands_in: bool,
     pub placement: Arc<CompiledPlacement>,
 }
 
@@ -123,17 +139,17 @@ impl Spec {
         for copy in &self.copies {
             let name = self.problem.part_name(copy.original);
             let known = originals.iter().find(|part| Some(part.name()) == name).cloned();
+            // The user asked for the copy alone.
+            let stands_in = known.is_none();
             let original = match known {
                 Some(original) => original,
-                // The user asked for the copy alone.
-                None => {
-                    let original = self.original(copy, solving, points)?;
-                    originals.push(original.clone());
-                    original
-                }
+                None => self.original(copy, solving, points)?,
             };
+            if stands_in {
+                originals.push(original.clone());
+            }
             let placement = Arc::new(CompiledPlacement::new(&graph, copy, &self.limits));
-            parts.push(Part::Copy(Arc::new(Copied { copy: copy.clone(), original, placement })));
+            parts.push(Part::Copy(Arc::new(Copied { copy: copy.clone(), original, stands_in, placement })));
         }
         Ok(parts)
     }
@@ -185,8 +201,8 @@ impl Spec {
                 let placed = PlacedSurface::new(base.surface, Arc::clone(placement), params);
                 let domain = part.domain();
                 placed.check_distance([domain.u, domain.v], time).map_err(|finding| self.fault(finding))?;
-                // What is to be said is said of the original.
-                Ok(Shape { surface: Arc::new(placed), warnings: Diagnostics::new(), net: None, bspline })
+                let warnings = if copied.stands_in { base.warnings } else { Diagnostics::new() };
+                Ok(Shape { surface: Arc::new(placed), warnings, net: None, bspline })
             }
         }
     }

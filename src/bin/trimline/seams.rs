@@ -111,23 +111,33 @@ fn shown(value: f64) -> f64 {
     format!("{value:.6e}").parse().unwrap_or(value)
 }
 
-/// Measures the seams at `times`, at which `surfaces_at` gives those of all patches, and says which of the stated ones
-/// are open, or not smooth where they should be.
+impl SeamReport {
+    /// `seam low at u = 1 with high at u = 1`
+    pub fn describe(&self) -> String {
+        let [a, b] = &self.between;
+        format!("seam {} with {}", a.describe(), b.describe())
+    }
+}
+
+/// Measures the seams at `times`, at which `surfaces_at` gives those of the patches that exist then, and says which of the
+/// stated ones are open, or not smooth where they should be, or never there.
 pub fn measure<P: Located + Sync>(
     spec: &Spec,
     parts: &[&P],
     times: &[f64],
-    surfaces_at: impl Fn(f64) -> Result<Vec<Arc<dyn Surface + Send + Sync>>, Failure>,
+    surfaces_at: impl Fn(f64) -> Result<Vec<Option<Arc<dyn Surface + Send + Sync>>>, Failure>,
 ) -> Result<(Vec<SeamReport>, Vec<Diagnostic>), Failure> {
     let (mut places, mut pairs) = pairs(spec, parts)?;
     let mut size = 0.0_f64;
-    for (step, &time) in times.iter().enumerate() {
+    for &time in times {
         let surfaces = surfaces_at(time)?;
-        let sample = |place: &Place| -> Result<Edge, Failure> {
+        let sample = |place: &Place| -> Result<Option<Edge>, Failure> {
             let (Some(surface), Some(part)) = (surfaces.get(place.patch), parts.get(place.patch)) else {
                 return Err(Failure::Machine("an edge of a patch that was not solved".to_owned()));
             };
-            Edge::sample(&**surface, place.line(part.domain()), time).map_err(|finding| spec.fault(finding))
+            let Some(surface) = surface else { return Ok(None) };
+            let edge = Edge::sample(&**surface, place.line(part.domain()), time);
+            edge.map(Some).map_err(|finding| spec.fault(finding))
         };
         // Each edge once, however many pairs it is in.
         let mut is_wanted = vec![false; places.len()];
@@ -135,29 +145,28 @@ pub fn measure<P: Located + Sync>(
             is_wanted.get_mut(index).into_iter().for_each(|wanted| *wanted = true);
         }
         let wanted = places.iter().zip(is_wanted).collect();
-        let mut edges = threads::try_map(wanted, |(place, is_wanted)| is_wanted.then(|| sample(place)).transpose())?;
+        let mut edges =
+            threads::try_map(wanted, |(place, is_wanted)| if is_wanted { sample(place) } else { Ok(None) })?;
         size = edges.iter().flatten().fold(size, |most, edge| most.max(edge.extent()));
-        if step == 0 {
-            let curve = |index: usize| {
-                let place = places.get(index)?;
-                let (surface, part) = (surfaces.get(place.patch)?, parts.get(place.patch)?);
-                let edge = edges.get(index)?.as_ref()?;
-                Some(Curve { surface: &**surface, line: place.line(part.domain()), edge })
-            };
-            let found = overlaps(&places, &pairs, NEAR * size, |pair, gap| match pair.map(curve) {
-                [Some(a), Some(b)] => common_part([a, b], time, gap).map_err(|finding| spec.fault(finding)),
-                _ => Ok(None),
-            })?;
-            for between in found {
-                let between = between.map(|place| index_of(place, &mut places));
-                edges.resize(places.len(), None);
-                for index in between {
-                    if let (Some(slot @ None), Some(place)) = (edges.get_mut(index), places.get(index)) {
-                        *slot = Some(sample(place)?);
-                    }
+        let curve = |index: usize| {
+            let place = places.get(index)?;
+            let (surface, part) = (surfaces.get(place.patch)?.as_ref()?, parts.get(place.patch)?);
+            let edge = edges.get(index)?.as_ref()?;
+            Some(Curve { surface: &**surface, line: place.line(part.domain()), edge })
+        };
+        let found = overlaps(&places, &pairs, NEAR * size, |pair, gap| match pair.map(curve) {
+            [Some(a), Some(b)] => common_part([a, b], time, gap).map_err(|finding| spec.fault(finding)),
+            _ => Ok(None),
+        })?;
+        for between in found {
+            let between = between.map(|place| index_of(place, &mut places));
+            edges.resize(places.len(), None);
+            for index in between {
+                if let (Some(slot @ None), Some(place)) = (edges.get_mut(index), places.get(index)) {
+                    *slot = sample(place)?;
                 }
-                pairs.push(Pair { between, stated: None, worst: None, gaps: Default::default() });
             }
+            pairs.push(Pair { between, stated: None, worst: None, gaps: Default::default() });
         }
         let of = |index: usize| edges.get(index).and_then(Option::as_ref);
         for pair in &mut pairs {
@@ -177,16 +186,24 @@ pub fn measure<P: Located + Sync>(
             of(*index).is_some_and(|edge| edge.extent() <= least * size)
         };
         pairs.retain(|pair| {
+            if pair.between.iter().any(|index| of(*index).is_none()) {
+                return true;
+            }
             let is_near = pair.worst.is_some_and(|worst| worst.gap <= NEAR * size);
             pair.stated.is_some() || (is_near && !pair.between.iter().any(is_point))
         });
     }
-    let faults = pairs.iter().filter_map(|pair| fault(pair.stated?, pair.worst?, size)).collect();
+    let faults = pairs.iter().filter_map(|pair| fault(pair.stated?, pair.worst, size)).collect();
     Ok((pairs.into_iter().filter_map(|pair| report(&pair, &places, parts)).collect(), faults))
 }
 
 /// What is wrong with a stated seam.
-fn fault(seam: &Seam, worst: SeamDeviation, size: f64) -> Option<Diagnostic> {
+fn fault(seam: &Seam, worst: Option<SeamDeviation>, size: f64) -> Option<Diagnostic> {
+    let Some(worst) = worst else {
+        let message = "the patches have no instant in common, so that they do not meet here";
+        let finding = Diagnostic::new(Code::SeamApart, message).at(seam.origin);
+        return Some(finding.hint("give both the same `domain t in [..]`, or leave out the seam"));
+    };
     if worst.gap > CLOSED * size {
         let message = format!("the patches do not meet here: they are up to {:.1e} apart", worst.gap);
         let finding = Diagnostic::new(Code::SeamApart, message).at(seam.origin);
@@ -283,7 +300,8 @@ fn along(spec: &Spec, part: SidePart, [low, high]: [f64; 2], seam: &Seam) -> Res
     Ok((ends != [low, high] && ends != [high, low]).then_some(ends))
 }
 
-/// The parts that sides have in common, of all `pairs` of sides that are not stated, by what `common` says of two.
+/// The parts that sides have in common, of all `pairs` of sides that are not stated and were not measured yet, by what
+/// `common` says of two.
 fn overlaps(
     places: &[Place],
     pairs: &[Pair<'_>],
@@ -294,7 +312,7 @@ fn overlaps(
     let of = |pair: &Pair<'_>| Some([place(pair.between[0])?, place(pair.between[1])?]);
     let stated: Vec<[Place; 2]> = pairs.iter().filter(|pair| pair.stated.is_some()).filter_map(of).collect();
     let mut found = Vec::new();
-    for pair in pairs.iter().filter(|pair| pair.stated.is_none()) {
+    for pair in pairs.iter().filter(|pair| pair.stated.is_none() && pair.worst.is_none()) {
         let Some([a, b]) = of(pair) else { continue };
         let Some([first, second]) = common(pair.between, gap)? else { continue };
         let is_known = |[one, other]: &[Place; 2]| {

@@ -138,7 +138,7 @@ fn patch_solution(patched: &Patched, solved: &Solved, parse_seconds: f64) -> Pat
         boundary_error: measured.boundary_error(),
         pde_residual: measured.relative_residual(),
         amplification: report.amplification,
-        truncation: report.truncation.map(|truncation| truncation.left_out),
+        truncation: report.truncation.as_ref().map(|truncation| truncation.left_out),
         condition: report.condition.filter(|condition| condition.is_finite()),
         rank: report.rank,
         unknowns: report.unknowns,
@@ -159,7 +159,7 @@ fn function_coefficients(surface: &SeparableSurface, conditions: usize, report: 
     let all = surface.coefficients.first().map_or(&[][..], Vec::as_slice);
     let of_function = |(j, name): (usize, &String)| {
         let vectors: Vec<[f64; 3]> = all.iter().skip(j).step_by(count.max(1)).copied().collect();
-        let (boundary, terms) = match report.truncation {
+        let (boundary, terms) = match &report.truncation {
             None => vectors.split_at_checked(conditions).unwrap_or_default(),
             // Each wave number has functions of u of its own, as many as there are conditions.
             Some(_) => {

@@ -285,7 +285,7 @@ fn set(problem: &mut Problem, change: &str, limits: &Limits) -> Result<(), Failu
         for finding in &mut findings {
             finding.span = finding.span.or(Some(Span::new(0, value.len())));
         }
-        Failure::found(&source, findings)
+        Failure::Option { source: source.clone(), findings }
     })
 }
 

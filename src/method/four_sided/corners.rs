@@ -36,7 +36,7 @@ impl FourSidedSolver {
             for (index, end) in ends.into_iter().enumerate() {
                 let place = format!("{name} = {}", Shortest(end));
                 let (positions, tangents) = (vectors(2 * index), vectors(2 * index + 1));
-                warnings.extend(apex(&place, &positions, &tangents, size, self.boundary));
+                warnings.extend(apex((&place, t), &positions, &tangents, size, self.boundary));
             }
         }
         Ok(warnings)
@@ -89,7 +89,8 @@ impl FourSidedSolver {
                 "the sides' twists differ by {twist:.1e} in the corner {}: the surface has no second derivatives there",
                 place(corner)
             );
-            report.warnings.push(Diagnostic::new(Code::TwistsDisagree, message).at(self.boundary).hint(
+            let finding = Diagnostic::new(Code::TwistsDisagree, message).at(self.boundary);
+            report.warnings.push(finding.marked(format!("in the corner {}", place(corner))).hint(
                 "for a smoother corner let ∂/∂v of the tangent at fixed u and ∂/∂u of the tangent at fixed v agree there",
             ));
         }

@@ -196,7 +196,11 @@ impl Solver for FourierSolver {
             modes: series.modes(),
             condition: None,
             amplification,
-            truncation: Some(Truncation { left_out: series.left_out, has_remainder: self.has_remainder }),
+            truncation: Some(Truncation {
+                left_out: series.left_out,
+                places: series.places,
+                has_remainder: self.has_remainder,
+            }),
             rank: unknowns,
             unknowns,
             warnings,
@@ -263,6 +267,11 @@ impl FourierSolver {
         Some(if jump > 1e-3 * series.size {
             finding.hint(format!(
                 "a slope jumps by {jump:.2} where v closes: what N modes leave out falls as slowly as 1/N"
+            ))
+        } else if series.modes() >= self.options.limits.modes {
+            finding.hint(format!(
+                "these are as many as the limit `modes` allows; raise it with --limits modes={}, or smooth the data",
+                2 * series.modes()
             ))
         } else {
             finding.hint("more modes leave out less: `modes = N`, up to the limit `modes`")

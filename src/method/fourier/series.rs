@@ -45,6 +45,8 @@ pub struct Series {
     pub coefficients: Vec<Vec<[f64; 2]>>,
     /// The largest part that is left out: `max |d_i|`.
     pub left_out: f64,
+    /// v where most is left out of each condition and component of which anything is.
+    pub places: Vec<f64>,
     /// Where the data are written of which it is left out.
     pub origin: Option<Span>,
     /// The largest prescribed value.
@@ -281,13 +283,18 @@ impl BoundaryData {
         let mut v = spaced(range, (8 * modes + 97).max(257), 0.381_966);
         v.extend(range);
         v.extend(narrow);
-        let (mut left_out, mut worst) = (0.0_f64, 0);
+        let (mut left_out, mut worst, mut places) = (0.0_f64, 0, Vec::new());
         for (index, (pairs, values)) in kept.iter().zip(self.periodic_part(ends, &v, t, params)?).enumerate() {
+            let (mut most, mut place) = (0.0_f64, None);
             for (v, value) in v.iter().zip(values) {
                 let here = (value - sum(pairs, wave_number * v)).abs();
-                if here > left_out {
-                    (left_out, worst) = (here, index);
+                if here > most {
+                    (most, place) = (here, Some(*v));
                 }
+            }
+            places.extend(place);
+            if most > left_out {
+                (left_out, worst) = (most, index);
             }
         }
         let corner = self.corner(ends, range, t, params)?;
@@ -295,6 +302,7 @@ impl BoundaryData {
             wave_number,
             coefficients: kept,
             left_out,
+            places,
             origin: self.name(worst).1,
             size,
             corner,

@@ -71,11 +71,16 @@ fn points_of_several_patches_name_theirs() {
         ("u,v\n0,0\n", 2, "low, high"),
         ("patch,u,v\nmiddle,0,0\n", 1, "no patch `middle`"),
         ("patch,u,v\nhigh,0.5,0\n", 1, "outside the domain [1, 2]"),
+        ("patch,u,v\n,0,0\n", 1, "no patch ``"),
     ] {
         let output = run(points, &[]);
         assert_eq!(status(&output), expected, "{points}");
         assert!(text(&output.stderr).contains(fragment), "{points}: {}", text(&output.stderr));
     }
+    // A row of another patch than the one that is chosen is not evaluated on that one.
+    let output = run("patch,u,v\nhigh,1,0\nlow,1,0\n", &["--patch", "high"]);
+    assert_eq!(status(&output), 1);
+    assert!(text(&output.stderr).contains("line 3: there is no patch `low` among"), "{}", text(&output.stderr));
 }
 
 #[test]

@@ -72,12 +72,12 @@ fn pictures_sheets_and_animations_are_one_file_each() {
 #[test]
 fn pictures_that_cannot_be_drawn_leave_no_file() {
     let cases: &[(&[&str], i32, &str)] = &[
-        (&["--size", "8x8"], 1, "too small"),
+        (&["--size", "8x8"], 2, "too small"),
         (&["--size", "100000x100000"], 4, "`pixels`"),
         (&["--size", "big"], 2, "WxH"),
-        (&["--camera", "0,100"], 1, "--camera"),
+        (&["--camera", "0,100"], 2, "--camera"),
         (&["--camera", "left"], 2, "AZIMUTH,ELEVATION"),
-        (&["--lines", "0x3"], 1, "--lines"),
+        (&["--lines", "0x3"], 2, "--lines"),
         (&["--shade", "pink"], 2, "pink"),
         (&["--fps", "0"], 2, "fps"),
         (&["--animate", "--time", "0.1"], 2, "--time"),

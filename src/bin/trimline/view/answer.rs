@@ -21,12 +21,12 @@ use trimline::problem::{Explanation, ParameterKind, Patch as StatedPatch};
 use trimline::surface::KnotVector;
 use trimline::verify::verify_joins;
 
-use super::finding::Finding;
 use super::form::{Form, program};
 use super::live::{Answerable, Live};
 use super::pieces::{Of, Piece};
 use super::server::Question;
 use crate::failure::Failure;
+use crate::finding::Finding;
 use crate::joins::{self, JoinReport};
 use crate::parts::Located;
 use crate::seams::{self, SeamReport};
@@ -202,7 +202,7 @@ pub fn seams(answerable: &Answerable<'_>) -> Result<Vec<SeamReport>, Failure> {
         return Ok(Vec::new());
     }
     let located: Vec<&Piece<'_>> = pieces.iter().collect();
-    let surfaces = |_| Ok(pieces.iter().map(|piece| Arc::clone(&piece.surface)).collect());
+    let surfaces = |_| Ok(pieces.iter().map(|piece| Some(Arc::clone(&piece.surface))).collect());
     seams::measure(spec, &located, &[answerable.time], surfaces).map(|(seams, _)| seams)
 }
 

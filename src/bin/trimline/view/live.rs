@@ -67,7 +67,7 @@ impl Live {
         let compiled = Ready::read(&path, &solving, points.as_deref());
         let state = match compiled {
             Ok(compiled) => State { good: Some(compiled), failure: None, reading: Duration::ZERO },
-            Err(failure @ Failure::Found { .. }) => {
+            Err(failure @ (Failure::Found { .. } | Failure::Option { .. })) => {
                 State { good: None, failure: Some(failure), reading: Duration::ZERO }
             }
             Err(failure) => return Err(failure),

@@ -9,7 +9,6 @@
 
 mod answer;
 mod export;
-mod finding;
 mod form;
 mod gaps;
 mod guard;

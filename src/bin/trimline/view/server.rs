@@ -16,7 +16,6 @@ use tokio_stream::{Stream, StreamExt};
 
 use super::answer::Scene;
 use super::export;
-use super::finding::Finding;
 use super::gaps;
 use super::guard::guard;
 use super::live::Live;
@@ -24,6 +23,7 @@ use super::motion;
 use super::residual;
 use super::vertices;
 use crate::failure::Failure;
+use crate::finding::Finding;
 
 /// Questions that are being answered or wait for it; further ones are refused.
 pub const MOST_AT_ONCE: usize = 8;

@@ -1,10 +1,11 @@
-//! Diagnostics as the page shows them: with the line and the columns under which the caret stands.
+//! Diagnostics for programs, the page of `view` among them: with the line and the columns under which the caret stands.
 
 use serde::Serialize;
 
-use trimline::diagnostic::{Diagnostic, Source, Span};
+use trimline::diagnostic::{Diagnostic, Severity, Source, Span};
 
-use crate::failure::Failure;
+use crate::failure::{Failure, print_warnings};
+use crate::options::Terminal;
 
 /// A diagnostic, or a failure that has no code.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -32,7 +33,27 @@ struct Place {
     text: String,
 }
 
+/// What was said to the user so far.
+pub struct Findings<'a> {
+    pub terminal: &'a Terminal,
+    pub all: Vec<Finding>,
+}
+
+impl Findings<'_> {
+    /// Says warnings and notes, and keeps them.
+    pub fn warn(&mut self, findings: &[Diagnostic], source: &Source) {
+        print_warnings(findings, source, self.terminal);
+        self.all.extend(findings.iter().map(|finding| Finding::new(finding, Some(source))));
+    }
+}
+
 impl Finding {
+    /// The code and the message of a warning.
+    pub fn warning(&self) -> Option<String> {
+        let is_warning = self.severity == Severity::Warning.to_string();
+        is_warning.then(|| format!("{} {}", self.code.unwrap_or_default(), self.message))
+    }
+
     /// A finding in `source`.
     pub fn new(finding: &Diagnostic, source: Option<&Source>) -> Finding {
         let place = |span: Span| source.map(|source| place(source, span));
@@ -54,6 +75,9 @@ impl Finding {
         match failure {
             Failure::Found { source, findings } => {
                 findings.iter().map(|finding| Finding::new(finding, source.as_ref())).collect()
+            }
+            Failure::Option { source, findings } => {
+                findings.iter().map(|finding| Finding::new(finding, Some(source))).collect()
             }
             Failure::Usage(message) | Failure::Machine(message) => vec![Finding::plain(message)],
             Failure::NotPassed | Failure::Closed => Vec::new(),
