@@ -177,7 +177,7 @@ fn morph_of_a_spec_asks_for_what_it_needs() {
     let [water, _] = glasses();
     assert!(said(&["morph", &water], 2).contains("states no `morph from A to B`"));
     let both = example("p3_glasses.trim");
-    assert!(said(&["eval", &both, "--points", "nowhere.csv", "--morph", "1.5"], 1).contains("outside [0, 1]"));
+    assert!(said(&["eval", &both, "--points", "nowhere.csv", "--morph", "1.5"], 2).contains("outside [0, 1]"));
 }
 
 #[test]
@@ -185,12 +185,12 @@ fn bad_requests_have_their_status_and_leave_nothing() {
     let ([water, wine], [vase, _]) = (glasses(), shapes());
     let cases: &[(&str, &[&str], i32, &str)] = &[
         (&vase, &[], 1, "the source has no patch `base`"),
-        (&wine, &["--frame", "11"], 1, "the target is frame 10"),
-        (&wine, &["--at", "1.5"], 1, "outside [0, 1]"),
+        (&wine, &["--frame", "11"], 2, "the target is frame 10"),
+        (&wine, &["--at", "1.5"], 2, "outside [0, 1]"),
         (&wine, &["--by", "modes", "--at", "0.5"], 2, "--frame"),
-        (&wine, &["--by", "modes", "--steps", "7"], 1, "has 1 + 1 frames"),
+        (&wine, &["--by", "modes", "--steps", "7"], 2, "has 1 + 1 frames"),
         (&wine, &["--by", "modes", "--method", "exact"], 1, "needs `fourier`"),
-        (&wine, &["--steps", "0"], 1, "nothing in between"),
+        (&wine, &["--steps", "0"], 2, "nothing in between"),
         (&wine, &["--steps", "20000"], 4, "frames = 10000"),
         (&wine, &["--points", "nowhere.csv"], 2, "choose it with --frame or --at"),
         (&wine, &["--frame", "2"], 2, "say what to write"),
@@ -226,4 +226,65 @@ fn check_refuses_a_stated_morph_of_shapes_that_do_not_correspond() {
     let refused = trimline(&["check", &other]);
     assert_eq!(status(&refused), 1);
     assert!(text(&refused.stderr).contains("E0220"), "{}", text(&refused.stderr));
+}
+
+/// A ring that rises by 2, a net, and copies of both.
+const WITH_COPIES: &str = "morph from a to b\npde d2S/du2 + d2S/dv2 = 0\nparam far = 5\n\
+    patch a { at u = 0: S = [cos v, sin v, 0]; at u = 1: S = [2 cos v, 2 sin v, 1] }\n\
+    patch b { at u = 0: S = [cos v, sin v, 2]; at u = 1: S = [2 cos v, 2 sin v, 3] }\n\
+    bspline s { net 4 x 4 from [i, j, 0] }\nmirror s in x = -3\nrepeat a 2 times moved by [far, 0, 0]\n";
+
+#[test]
+fn nets_stay_as_they_are_and_copies_follow_their_originals() {
+    let folder = Folder::new();
+    let spec = folder.spec(WITH_COPIES);
+    let points = folder.path("points.csv");
+    std::fs::write(&points, "patch,u,v\na,0,0\na2,0,0\ns,0,0\ns_mirrored,0,0\n").expect("written");
+    let table = done(&trimline(&["morph", &spec, "--at", "0.25", "--points", &points.to_string_lossy()]));
+    let positions: Vec<Vec<f64>> = table
+        .lines()
+        .skip(1)
+        .map(|line| line.split(',').skip(3).map(|cell| cell.parse().expect("a number")).collect())
+        .collect();
+    let expected = [[1.0, 0.0, 0.5], [6.0, 0.0, 0.5], [0.0, 0.0, 0.0], [-6.0, 0.0, 0.0]];
+    for (found, expected) in positions.iter().zip(expected) {
+        // Sums of a few numbers below 10.
+        assert!(found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-14), "{table}");
+    }
+    assert_eq!(positions.len(), 4);
+    // At the ends too, and of the parts that do not change nothing is as far from frame to frame as of those that do.
+    let target = folder.path("out.obj");
+    for epsilon in ["0", "0.5", "1"] {
+        let arguments = ["morph", &spec, "--at", epsilon, "--grid", "2x4", "-o", &target.to_string_lossy()];
+        done(&trimline(&arguments));
+        let written = std::fs::read_to_string(&target).expect("a mesh");
+        let objects: Vec<&str> = written.lines().filter_map(|line| line.strip_prefix("o ")).collect();
+        assert_eq!(objects, ["a", "s", "s_mirrored", "a2"], "{epsilon}");
+    }
+    let picture = folder.path("out.png").to_string_lossy().into_owned();
+    done(&trimline(&["morph", &spec, "--at", "0.5", "--shade", "residual", "--size", "64x64", "-o", &picture]));
+}
+
+#[test]
+fn what_a_morph_cannot_take_along_is_refused_with_its_reason() {
+    let folder = Folder::new();
+    let refused = |text_of_spec: String, options: &[&str], fragment: &str| {
+        let spec = folder.spec(text_of_spec);
+        let mut arguments = vec!["morph", spec.as_str()];
+        arguments.extend(options.iter().map(|option| if *option == "SPEC" { spec.as_str() } else { option }));
+        let output = trimline(&arguments);
+        let errors = text(&output.stderr);
+        assert_eq!(status(&output), 1, "{errors}");
+        assert!(errors.contains("E0402") && errors.contains(fragment), "{errors}");
+    };
+    let whole = WITH_COPIES.to_owned();
+    refused(whole.clone(), &["--patch", "s"], "`s` is a B-spline net");
+    refused(whole.clone(), &["--patch", "a2"], "`a2` is a copy of `a`");
+    refused(whole.clone(), &["SPEC"], "`s` is a B-spline net");
+    refused(
+        format!("{whole}mirror b in x = 9\n"),
+        &[],
+        "`b_mirrored` is a copy of `b`, which is what the morph makes of `a`",
+    );
+    done(&trimline(&["morph", &folder.spec(format!("{whole}mirror b in x = 9\n")), "--patch", "a"]));
 }

@@ -131,7 +131,7 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
     let steps = arguments.steps.or(pair.steps);
     let mut shapes = Shapes::of(pair, kind, &arguments.solving)?;
     let sequence = Sequence::new(kind, steps, shapes.modes, &shapes.spec.limits)
-        .map_err(|finding| about("steps", steps, finding))?;
+        .map_err(|finding| about("steps", arguments.steps, finding))?;
     let chosen = chosen(arguments, &sequence, &mut shapes)?;
     for (spec, warnings) in &shapes.warnings {
         print_warnings(warnings, &spec.source, terminal);
@@ -241,7 +241,7 @@ fn table(
     (points, derivatives): (&str, &[Derivative]),
     output: Option<&Path>,
 ) -> Outcome {
-    let table = read_table(points, Some(shapes.time), &shapes.patched, shapes.spec.limits.samples)?;
+    let table = read_table(points, Some(shapes.time), &shapes.parts, shapes.spec.limits.samples)?;
     let mut columns = Vec::with_capacity(derivatives.len() + 1);
     for derivative in std::iter::once(Derivative::NONE).chain(derivatives.iter().copied()) {
         let mut column = vec![[0.0; 3]; table.points.len()];
@@ -275,7 +275,7 @@ pub fn evaluate(
     let (kind, steps) = (pair.kind, pair.steps);
     let mut shapes = Shapes::of(pair, kind, solving)?;
     let sequence = Sequence::new(kind, steps, shapes.modes, &shapes.spec.limits)
-        .map_err(|finding| about("steps", steps, finding))?;
+        .map_err(|finding| about("steps", None::<usize>, finding))?;
     let surfaces = shapes.between(at_weight(&sequence, "morph", epsilon)?)?;
     for (spec, warnings) in &shapes.warnings {
         print_warnings(warnings, &spec.source, terminal);
@@ -321,7 +321,10 @@ fn write(arguments: &Arguments, path: &Path, shapes: &Shapes<'_>, frames: &[Fram
     if is_picture(path) {
         return draw(arguments, path, shapes, frames, terminal);
     }
-    let format = format_of(path)?;
+    let format = format_of(path).map_err(|failure| match failure {
+        Failure::Usage(message) => Failure::Usage(format!("{message}, or a picture, .png or .gif")),
+        failure => failure,
+    })?;
     let scenes = scenes(arguments, shapes, frames, terminal)?;
     let (written, notes) = if format.is_animated() {
         let notes = write_animation(path, format, &scenes)?;
@@ -356,7 +359,7 @@ fn scenes(
     let (u_cells, v_cells) = read_grid(&arguments.grid)?;
     let grid =
         Grid::new(u_cells, v_cells, limits).map_err(|finding| option_finding("grid", &arguments.grid, finding))?;
-    let vertices = (u_cells + 1).saturating_mul(v_cells + 1).saturating_mul(shapes.patched.len());
+    let vertices = (u_cells + 1).saturating_mul(v_cells + 1).saturating_mul(shapes.parts.len());
     let vertices = vertices.saturating_mul(frames.len());
     if frames.len() > 1 && vertices > limits.animated_vertices {
         let limit = limits.animated_vertices;

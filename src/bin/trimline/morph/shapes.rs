@@ -7,19 +7,20 @@ use trimline::diagnostic::{Code, Diagnostic, Diagnostics};
 use trimline::method::Settings;
 use trimline::morph::{Frame, Kind, Sequence, WeightedSurface, distance, ends, interpolate};
 use trimline::problem::{Bindings, SolveRequest};
-use trimline::surface::Surface;
+use trimline::surface::{PlacedSurface, Surface};
 use trimline::tessellate::{Field, Grid, Mesh, Scene, curvatures, tessellate};
 use trimline::verify::residuals;
 
 use crate::failure::Failure;
 use crate::options::{Solving, option_finding};
+use crate::parts::{Located, Part};
 use crate::scenes::Quantity;
 use crate::workflow::{Patched, Spec, select};
 
 /// The method whose modes a morph takes away and adds.
 const SERIES: &str = "fourier";
 
-/// The surfaces of all patches at one frame.
+/// The surfaces of all parts at one frame.
 pub type Surfaces = Vec<Arc<dyn Surface + Send + Sync>>;
 
 /// What a patch of the problem between is prepared for.
@@ -29,8 +30,8 @@ type Preparation = (usize, Option<usize>);
 pub struct Shapes<'a> {
     /// The problem between; its places are those of the source.
     pub spec: Spec,
-    /// The source's patches.
-    pub patched: Vec<Patched>,
+    /// The source's patches, then the nets and copies that come along.
+    pub parts: Vec<Part>,
     /// The instant.
     pub time: f64,
     /// N_s and N_t.
@@ -58,6 +59,10 @@ impl Pair {
             }
             Some(target) => {
                 let ends = [Spec::read(source, &solving.reading)?, Spec::read(target, &solving.reading)?];
+                for spec in &ends {
+                    spec.without_nets("morph")?;
+                    spec.without_copies("morph")?;
+                }
                 Ok(Pair { ends, kind: Kind::Boundary, steps: None })
             }
             None => Pair::of(&Spec::read_whole(source, &solving.reading)?, solving.reading.patch.as_deref()),
@@ -70,10 +75,15 @@ impl Pair {
             let message = "the spec states no `morph from A to B`: name a second spec, or two of its patches";
             return Err(Failure::Usage(message.to_owned()));
         };
+        refuse_copies_of_targets(spec, only)?;
         let [source, target] = ends.map(|problem| {
-            // Nets and copies of the document are no part of the morph.
-            let (patches, nets, copies) = (select(&problem, only)?.0, Vec::new(), Vec::new());
-            Ok::<Spec, Failure>(Spec { problem, patches, nets, copies, warnings: Diagnostics::new(), ..spec.clone() })
+            let (patches, nets, copies) = select(&problem, only)?;
+            let spec = Spec { problem, patches, nets, copies, warnings: Diagnostics::new(), ..spec.clone() };
+            if spec.patches.is_empty() {
+                spec.without_nets("morph")?;
+                spec.without_copies("morph")?;
+            }
+            Ok::<Spec, Failure>(spec)
         });
         let mut source = source?;
         source.warnings.clone_from(&spec.warnings);
@@ -81,10 +91,22 @@ impl Pair {
     }
 }
 
+/// In no frame there is a target of its own that its copies could follow.
+fn refuse_copies_of_targets(spec: &Spec, only: Option<&str>) -> Result<(), Failure> {
+    let pairs = spec.problem.morph.iter().flat_map(|request| &request.pairs);
+    let (_, _, copies) = select(&spec.problem, only)?;
+    let found = copies.iter().find_map(|copy| Some((copy, pairs.clone().find(|[_, to]| *to == copy.original)?)));
+    let Some((copy, [source, target])) = found else { return Ok(()) };
+    let [source, target] = [source, target].map(|index| spec.problem.part_name(*index).unwrap_or_default());
+    let message = format!("`{}` is a copy of `{target}`, which is what the morph makes of `{source}`", copy.name);
+    let finding = Diagnostic::new(Code::UnsupportedByMethod, message).at(copy.origin);
+    Err(spec.fault(finding.hint(format!("copy `{source}`: its copies follow it; or choose it with --patch {source}"))))
+}
+
 /// One shape, solved as its spec asks.
 struct End {
     spec: Spec,
-    patched: Vec<Patched>,
+    parts: Vec<Part>,
     surfaces: Surfaces,
     modes: usize,
     warnings: Diagnostics,
@@ -108,7 +130,7 @@ impl<'a> Shapes<'a> {
         let spec = Spec { problem, bindings, patches, warnings: Diagnostics::new(), ..source.spec.clone() };
         Ok(Shapes {
             spec,
-            patched: source.patched,
+            parts: source.parts,
             time: source.time,
             modes: [source.modes, target.modes],
             warnings: [(source.spec, source.warnings), (target.spec, target.warnings)],
@@ -141,7 +163,32 @@ impl<'a> Shapes<'a> {
             }
             surfaces.push(Arc::new(WeightedSurface { parts }));
         }
+        for (index, part) in self.parts.iter().enumerate().skip(surfaces.len()) {
+            let missing = || Failure::Machine(format!("`{}` comes along with nothing", part.name()));
+            let surface: Arc<dyn Surface + Send + Sync> = match part {
+                Part::Copy(copied) => {
+                    let original = self.original(part).and_then(|original| surfaces.get(original));
+                    let original = Arc::clone(original.ok_or_else(missing)?);
+                    let placement = Arc::clone(&copied.placement);
+                    Arc::new(PlacedSurface::new(original, placement, self.source().bindings.as_slice()))
+                }
+                // The same in both shapes.
+                _ => Arc::clone(self.ends[0].get(index).ok_or_else(missing)?),
+            };
+            surfaces.push(surface);
+        }
         Ok(surfaces)
+    }
+
+    /// The place among the parts of what a part is a copy of.
+    fn original(&self, part: &Part) -> Option<usize> {
+        let Part::Copy(copied) = part else { return None };
+        self.parts.iter().position(|known| known.name() == copied.original.name())
+    }
+
+    /// The spec of the source, with the numbers of its copies' placements.
+    fn source(&self) -> &Spec {
+        &self.warnings[0].0
     }
 
     fn prepare(&mut self, key: Preparation) -> Result<&Patched, Failure> {
@@ -169,8 +216,8 @@ impl<'a> Shapes<'a> {
     /// The largest distance between two frames.
     pub fn step(&self, first: &Surfaces, second: &Surfaces) -> Result<f64, Failure> {
         let mut largest = 0.0_f64;
-        for ((first, second), patch) in first.iter().zip(second).zip(&self.patched) {
-            let ranges = [patch.prepared.domain.u, patch.prepared.domain.v];
+        for ((first, second), part) in first.iter().zip(second).zip(&self.parts) {
+            let ranges = [part.domain().u, part.domain().v];
             let step = distance(&**first, &**second, ranges, self.time).map_err(|finding| self.spec.fault(finding))?;
             largest = largest.max(step);
         }
@@ -186,23 +233,32 @@ impl<'a> Shapes<'a> {
         shown: f64,
     ) -> Result<(Scene, Diagnostics), Failure> {
         let (mut meshes, mut warnings) = (Vec::new(), Diagnostics::new());
-        for (index, (surface, patch)) in surfaces.iter().zip(&self.patched).enumerate() {
-            let ranges = (patch.prepared.domain.u, patch.prepared.domain.v);
-            let name = &patch.prepared.patch().name;
-            let (mut mesh, notes) =
-                tessellate(name, &**surface, ranges, self.time, grid).map_err(|finding| self.spec.fault(finding))?;
-            mesh.fields = self.fields(quantity, (index, &**surface), epsilon, &mesh)?;
+        for (index, (surface, part)) in surfaces.iter().zip(&self.parts).enumerate() {
+            let ranges = (part.domain().u, part.domain().v);
+            let tessellated = tessellate(part.name(), &**surface, ranges, self.time, grid);
+            let (mut mesh, notes) = tessellated.map_err(|finding| self.spec.fault(finding))?;
+            // A copy has the residual of its original, point by point.
+            let solved = self.original(part).unwrap_or(index);
+            let of = surfaces.get(solved).unwrap_or(surface);
+            mesh.fields = self.fields(quantity, (&**surface, solved, &**of), epsilon, &mesh)?;
+            if let Part::Copy(copied) = part {
+                let is_reflection = copied.placement.is_reflection(self.source().bindings.as_slice(), self.time);
+                if is_reflection.map_err(|finding| self.source().fault(finding))? {
+                    mesh = mesh.turned();
+                }
+            }
             meshes.push(mesh);
             warnings.extend(notes);
         }
         Ok((Scene { meshes, time: shown }, warnings))
     }
 
-    /// The numbers at the vertices of patch number `index`, whose equation is that between the shapes.
+    /// The numbers at the vertices of `surface`, which was `solved` as the patch of that number, whose equation is that
+    /// between the shapes; the residual of a net says nothing.
     fn fields(
         &self,
         quantity: Option<Quantity>,
-        (index, surface): (usize, &dyn Surface),
+        (surface, index, solved): (&dyn Surface, usize, &dyn Surface),
         epsilon: f64,
         mesh: &Mesh,
     ) -> Result<Vec<Field>, Failure> {
@@ -211,10 +267,12 @@ impl<'a> Shapes<'a> {
             Some(Quantity::Curvature) => curvatures(surface, mesh, self.time).map(Vec::from_iter),
             Some(Quantity::Residual) => {
                 let here = self.at(epsilon)?;
-                let Some(patch) = here.patches.get(index) else { return Ok(Vec::new()) };
+                let Some(patch) = here.patches.get(index) else {
+                    return Ok(vec![Field { name: "residual", values: vec![f64::NAN; mesh.positions.len()] }]);
+                };
                 let (u, v) = mesh.axes();
                 let points = (u.as_slice(), v.as_slice(), self.time);
-                let values = residuals(&here.problem, patch, surface, &here.bindings, points);
+                let values = residuals(&here.problem, patch, solved, &here.bindings, points);
                 values.map(|values| vec![Field { name: "residual", values }])
             }
         };
@@ -229,18 +287,20 @@ impl<'a> Shapes<'a> {
 
 impl End {
     fn solve(mut spec: Spec, kind: Kind, solving: &Solving) -> Result<End, Failure> {
-        spec.without_nets("morph")?;
-        spec.without_copies("morph")?;
         if solving.method.is_some() {
             spec.patches.iter_mut().for_each(|patch| patch.solve = SolveRequest::default());
         }
         spec.problem.patches.clone_from(&spec.patches);
-        let patched: Result<Vec<Patched>, Failure> =
-            spec.patches.iter().map(|patch| spec.prepare(patch, solving, None)).collect();
-        let patched = patched?;
-        let time = spec.instant(&patched, solving.time)?;
+        let parts = spec.parts(solving, None)?;
+        let time = spec.instant(&parts, solving.time)?;
         let (mut surfaces, mut modes, mut warnings) = (Surfaces::new(), 0, spec.warnings.clone());
-        for patch in &patched {
+        for part in &parts {
+            let Part::Patch(patch) = part else {
+                let shape = spec.shape(part, time)?;
+                warnings.extend(shape.warnings);
+                surfaces.push(shape.surface);
+                continue;
+            };
             let solution = spec.solve(patch, time)?.solution;
             let report = solution.report;
             if kind != Kind::Boundary && report.method != SERIES {
@@ -259,7 +319,7 @@ impl End {
             warnings.extend(report.warnings);
             surfaces.push(solution.surface);
         }
-        Ok(End { spec, patched, surfaces, modes, warnings, time })
+        Ok(End { spec, parts, surfaces, modes, warnings, time })
     }
 }
 
