@@ -74,9 +74,16 @@ impl Size {
 }
 
 impl Settings {
-    /// These settings, and those of `other` where there are none.
+    /// These settings, and those of `other` where there are none. A number of modes stands for a tolerance, and a tolerance
+    /// for a number of modes.
     #[must_use]
     pub fn over(self, other: Settings) -> Settings {
+        let has_length = self.modes.is_some() || self.tolerance.is_some();
+        let other = Settings {
+            modes: other.modes.filter(|_| !has_length),
+            tolerance: other.tolerance.filter(|_| !has_length),
+            ..other
+        };
         Settings {
             terms: self.terms.or(other.terms),
             points: self.points.or(other.points),
@@ -192,8 +199,8 @@ impl Terms {
     /// # Errors
     /// [`Code::UnknownSetting`] for text of another form.
     pub fn read(text: &str) -> Result<Terms, Diagnostic> {
-        let count = |text: &str| {
-            text.trim().parse::<usize>().map_err(|_| {
+        let count = |part: &str| {
+            part.trim().parse::<usize>().map_err(|_| {
                 let message = format!("`{text}` is not a number of terms");
                 Diagnostic::new(Code::UnknownSetting, message)
                     .hint("write a whole number, or `M x N` for methods with two")

@@ -207,8 +207,7 @@ fn runs_back(a: impl Fn(f64) -> [f64; 3], b: impl Fn(f64) -> [f64; 3], close: f6
     let [reach_a, reach_b] = [end_a, end_b].map(|end| distance(corner, end));
     // The place on the longer one as far from the corner as a place of the shorter one.
     let is_apart = |share: f64| {
-        let (short, long): (&dyn Fn(f64) -> [f64; 3], &dyn Fn(f64) -> [f64; 3]) =
-            if reach_a <= reach_b { (&a, &b) } else { (&b, &a) };
+        let (short, long): (Ray<'_>, Ray<'_>) = if reach_a <= reach_b { (&a, &b) } else { (&b, &a) };
         let point = short(share);
         let wanted = distance(corner, point);
         let (mut low, mut high) = (0.0, 1.0);
@@ -221,6 +220,9 @@ fn runs_back(a: impl Fn(f64) -> [f64; 3], b: impl Fn(f64) -> [f64; 3], close: f6
     let size = reach_a.max(reach_b);
     size > 0.0 && ![0.5, 0.25, 0.1].into_iter().any(is_apart)
 }
+
+/// An edge from its corner on.
+type Ray<'a> = &'a dyn Fn(f64) -> [f64; 3];
 
 /// A place along an edge to rounding.
 const BISECTIONS: usize = 52;

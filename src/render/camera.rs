@@ -1,6 +1,6 @@
 //! Where the viewer stands, and the way from space to the picture.
 
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::{Code, Diagnostic, Shortest};
 use crate::tessellate::{Mesh, Scene};
 
 use super::canvas::{Point, SAMPLES};
@@ -32,7 +32,8 @@ impl Camera {
         if is_sound {
             return Ok(());
         }
-        let message = format!("the camera at {}, {}, zoom {} is out of range", self.azimuth, self.elevation, self.zoom);
+        let [azimuth, elevation, zoom] = [self.azimuth, self.elevation, self.zoom].map(Shortest);
+        let message = format!("the camera at {azimuth}, {elevation}, zoom {zoom} is out of range");
         let hint =
             "azimuth in degrees, elevation from -90 to 90 degrees, zoom from 0.001 to 1000, for example -60,25,1.5";
         Err(Diagnostic::new(Code::SettingOutOfRange, message).hint(hint))

@@ -45,7 +45,10 @@ pub fn missed(problem: &Problem, patch: &Patch, bindings: &Bindings) -> Option<D
     let finding = Diagnostic::new(Code::PeriodMissed, message)
         .at(patch.domain.origins[1].or(patch.boundary_origin()))
         .marked(format!("they repeat after {length}"));
-    Some(if low == 0.0 {
+    let is_degrees = [90.0, 180.0, 270.0, 360.0, 720.0].contains(&(high - low));
+    Some(if is_degrees {
+        finding.hint("angles are in radians: a turn of 360 degrees is `2π`, and `v` in degrees is `sin(π v/180)`")
+    } else if low == 0.0 {
         finding.hint(format!("write `v in [0, {length}]` for a surface that closes"))
     } else {
         finding.hint(format!("end it at {} for a surface that closes", low + whole))

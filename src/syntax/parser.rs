@@ -21,6 +21,9 @@ const SUBSCRIPTS: &str =
 const SIGNS: &[(char, &str)] =
     &[('∛', "cbrt(…)"), ('⅓', "1/3"), ('⅔', "2/3"), ('⅕', "1/5"), ('⅙', "1/6"), ('⅛', "1/8"), ('—', "-")];
 
+/// The word of a deformation.
+const DEFORM: &str = "deform";
+
 /// A parsed piece of text.
 pub type Parsed<'a> = Pair<'a, Rule>;
 
@@ -45,6 +48,13 @@ fn unexpected(error: &pest::error::Error<Rule>, text: &str, offset: usize) -> Di
     };
     if let Some((message, hint)) = slip(text, at) {
         return Diagnostic::new(Code::UnexpectedText, message).at(place(text, at, offset)).hint(hint);
+    }
+    // Behind its own word the grammar would look for `d` as a factor.
+    if at < DEFORM.len() && text.strip_prefix(DEFORM).is_some_and(|tail| tail.starts_with([' ', '\t'])) {
+        let word = Span::new(offset, offset + DEFORM.len());
+        return Diagnostic::new(Code::UnexpectedText, "this deformation is not complete")
+            .at(word)
+            .hint("write `deform u in [a, b], v in [c, d] by [x, y, z] keeping C1`");
     }
     let mut expected: Vec<&str> = match &error.variant {
         ErrorVariant::ParsingError { positives, .. } => positives.iter().filter_map(|rule| words(*rule)).collect(),
@@ -300,6 +310,10 @@ fn advice(text: &str, at: usize) -> Option<String> {
     }
     if text.starts_with("at ") && !text.contains(':') {
         return Some("a colon ends the position: `at u = 0:`".to_owned());
+    }
+    let statement = before.rsplit_once(':').map_or(before, |(_, constraints)| constraints);
+    if rest.starts_with('=') && statement.contains('=') {
+        return Some("a comma stands between two constraints or definitions of one line".to_owned());
     }
     if before.ends_with(|c: char| c.is_ascii_alphabetic()) && rest.starts_with(['-', '−']) {
         let word = before.rsplit(|c: char| !c.is_ascii_alphanumeric()).next()?;

@@ -171,7 +171,7 @@ fn text_with_one_reading_is_read() {
     for (written, meaning) in PLAIN {
         match reading(written) {
             Ok(found) if found == read(meaning) => {}
-            Ok(found) => wrong.push(format!("{written} is {found}, not {meaning}")),
+            Ok(found) => wrong.push(format!("{written} is {found}, not {}", read(meaning))),
             Err(found) => wrong.push(told(&document(written), &found)),
         }
     }

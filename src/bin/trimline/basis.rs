@@ -88,12 +88,14 @@ pub fn run(arguments: &Arguments, _terminal: &Terminal) -> Outcome {
     let mut patches = Vec::new();
     for patch in &spec.patches {
         let decomposition = spec.decompose(patch)?;
+        // As `exact` closes it: without the terms of the equation that are zero.
+        let specialised = || decomposition.clone().specialise(spec.bindings.as_slice());
         match arguments.format {
             Format::Text => {
                 let text = decomposition.to_text(Notation::Unicode, &spec.limits);
                 texts.push(text.map_err(|finding| spec.fault(finding))?);
                 if arguments.closure {
-                    let text = close(&decomposition, &spec.limits).and_then(|closure| {
+                    let text = close(&specialised(), &spec.limits).and_then(|closure| {
                         closure.to_text(decomposition.basis.len(), Notation::Unicode, &spec.limits)
                     });
                     texts.push(text.map_err(|finding| spec.fault(finding))?);
@@ -107,7 +109,7 @@ pub fn run(arguments: &Arguments, _terminal: &Terminal) -> Outcome {
                 let basis = patch_basis(&decomposition, spec.bindings.as_slice(), &spec.limits);
                 let mut basis = basis.map_err(|finding| spec.fault(finding))?;
                 if arguments.closure {
-                    basis.closure = Some(added(&decomposition, &spec.limits).map_err(|finding| spec.fault(finding))?);
+                    basis.closure = Some(added(&specialised(), &spec.limits).map_err(|finding| spec.fault(finding))?);
                 }
                 patches.push(basis);
             }

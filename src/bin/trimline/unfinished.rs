@@ -16,15 +16,21 @@ pub fn names() -> MutexGuard<'static, Vec<PathBuf>> {
 mod unix {
     use std::sync::Once;
 
-    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+    use signal_hook::consts::{
+        SIGALRM, SIGHUP, SIGINT, SIGPROF, SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2, SIGVTALRM, SIGXCPU, SIGXFSZ,
+    };
     use signal_hook::iterator::Signals;
     use signal_hook::low_level::emulate_default_handler;
 
-    /// From now on the signals that ask a process to end remove what is unfinished before they end it.
+    /// What ends a process that does not heed it, but for what no process can heed and for faults of its own.
+    const ENDING: [i32; 11] =
+        [SIGHUP, SIGINT, SIGTERM, SIGQUIT, SIGALRM, SIGVTALRM, SIGPROF, SIGUSR1, SIGUSR2, SIGXCPU, SIGXFSZ];
+
+    /// From now on the signals that end a process remove what is unfinished before they do.
     pub fn heed_signals() {
         static ONCE: Once = Once::new();
         ONCE.call_once(|| {
-            let heeded = [SIGHUP, SIGINT, SIGTERM].into_iter().filter(|signal| !is_ignored(*signal));
+            let heeded = ENDING.into_iter().filter(|signal| !is_ignored(*signal));
             let Ok(mut signals) = Signals::new(heeded) else { return };
             std::thread::spawn(move || {
                 if let Some(signal) = signals.forever().next() {

@@ -68,7 +68,7 @@ impl ExactSolver {
             let Some(value) = progress.params.get(*symbol).copied() else { continue };
             let Some(found) = self.nearest_singular(worst, *symbol, value, progress)? else { continue };
             let relative = (found - value).abs() / value.abs().max(f64::MIN_POSITIVE);
-            critical.push((relative, format!("{name} = {found:.6}")));
+            critical.push((relative, format!("{name} = {found:.*}", decimals(found - value))));
         }
         critical.sort_by(|(a, _), (b, _)| a.total_cmp(b));
         let shown: Vec<String> = critical.into_iter().take(SHOWN).map(|(_, text)| text).collect();
@@ -195,6 +195,13 @@ impl ExactSolver {
         };
         finding.hint("change a coefficient of the equation a little, or choose a fitted method such as `sine`")
     }
+}
+
+/// As many decimals as tell a critical value from one that is so far away: six, or two digits of the difference.
+fn decimals(difference: f64) -> usize {
+    let first = -libm::floor(libm::log10(difference.abs()));
+    // No difference has an infinite logarithm, and 15 decimals are more than a value of size 1 has.
+    (first + 1.0).clamp(6.0, 15.0) as usize
 }
 
 /// The symbols that the coefficients of the equation are made of.

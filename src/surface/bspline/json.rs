@@ -10,11 +10,13 @@ use crate::diagnostic::{Code, Diagnostic};
 use crate::limits::Limits;
 
 #[derive(Serialize, Deserialize)]
+#[serde(expecting = "an object with `patches`")]
 struct File {
     patches: Vec<Patch>,
 }
 
 #[derive(Serialize, Deserialize)]
+#[serde(expecting = "an object with name, degrees, knots and a net")]
 struct Patch {
     name: String,
     degree: [usize; 2],
@@ -46,7 +48,9 @@ pub fn to_json(surfaces: &[(&str, &BsplineSurface)]) -> Result<String, Diagnosti
 /// points than `limits` allow; the errors of [`KnotVector::new`] and [`BsplineSurface::new`] with the patch's name.
 pub fn from_json(text: &str, limits: &Limits) -> Result<Vec<(String, BsplineSurface)>, Diagnostic> {
     let file: File = serde_json::from_str(text).map_err(|error| {
-        Diagnostic::new(Code::BadSplineFile, format!("this is no file of B-splines: {error}"))
+        let message = ["usize", "f64"].into_iter().zip(["a whole number", "a number"]);
+        let message = message.fold(error.to_string(), |text, (name, words)| text.replace(name, words));
+        Diagnostic::new(Code::BadSplineFile, format!("this is no file of B-splines: {message}"))
             .hint("`trimline fit` writes such files; docs/bspline.md describes them")
     })?;
     let points: usize = file.patches.iter().flat_map(|patch| &patch.control_net).map(Vec::len).sum();

@@ -313,4 +313,6 @@ pub const ROWS: &[Row] = &[
     (Whole("patch p {\nat u = 0: S = [cos v, sin v, 0], dS/du = [0, 0, 1]\nat u = 1: S = [cos v, sin v, 1], dS/du = [0, 0, 1]\n}\nrepeat p 2 times moved by [5, 0, 0]\nrepeat p 2 times moved by [0, 5, 0]"), DuplicateName, "6:1", "repeat p 2 times moved by [0, 5, 0]", "two patches are called `p2`"),
     (Whole("patch p {\nat u = 0: S = [cos v, sin v, 0], dS/du = [0, 0, 1]\nat u = 1: S = [cos v, sin v, 1], dS/du = [0, 0, 1]\nmirror p in y = 1\n}\n"), UnexpectedText, "4:8", "p", "belongs to all patches"),
     (Whole("centre = [0, 0, 0]\npatch p {\nat u = 0: S = [cos v, sin v, 0], dS/du = [0, 0, 1]\nat u = 1: S = [cos v, sin v, 1], dS/du = [0, 0, 1]\n}\n"), UnexpectedText, "1:1", "centre = [0, 0, 0]", "stands inside `nsided NAME"),
+    (Before("deform u in [0, 1] by [0, 0, 1] keeping C1\n"), UnexpectedText, "1:1", "deform", "v in [c, d] by [x, y, z] keeping C1"),
+    (Whole("at u = 0: S_x = 1 S_y = 2"), UnexpectedText, "1:23", "=", "a comma stands between two constraints"),
 ];
