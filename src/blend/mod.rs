@@ -17,7 +17,7 @@ use crate::resolve::{resolve, set_parameter};
 use crate::surface::{Bump, DeformedSurface};
 use crate::syntax;
 use crate::threads;
-use crate::verify::{Programs, Verification, check_deformations, find_fold, refuse_poles, verify_with};
+use crate::verify::{Programs, Verification, check_deformations, refuse_poles, verify_with};
 
 /// A compiled document with its current parameter values.
 pub struct Blend {
@@ -355,9 +355,6 @@ impl Prepared {
         if self.choice.is_automatic && is_two_sided && residual > LARGE_RESIDUAL {
             plain.report.warnings.push(self.large_residual(&plain, residual, t));
         }
-        if !is_two_sided {
-            plain.report.warnings.extend(self.fold(&plain, t)?);
-        }
         if self.bumps.is_empty() {
             return Ok((plain, measured));
         }
@@ -411,19 +408,6 @@ impl Prepared {
         let is_given_by_data = self.patch().operator.is_homogeneous(&problem.graph);
         let scale = if is_given_by_data { measured.data_size } else { measured.data_size.max(measured.size) };
         if scale > 0.0 { scale } else { 1.0 }
-    }
-
-    /// A warning where a surface through data on four sides folds: nothing in its equation keeps it from that.
-    fn fold(&self, solution: &Solution, t: f64) -> Result<Option<Diagnostic>, Diagnostic> {
-        let place = find_fold(&*solution.surface, &self.domain, t)?;
-        Ok(place.map(|[u, v]| {
-            let [u, v, t] = [u, v, t].map(Shortest);
-            let name = &self.patch().name;
-            let message = format!("the patch `{name}` folds over itself near u = {u}, v = {v} at t = {t}");
-            Diagnostic::new(Code::SurfaceFolds, message)
-                .at(self.patch().boundary_origin())
-                .hint("shorter tangents across the sides, a `centre` inside its loop, or two loops in place of one with a corner that points inward may mend it")
-        }))
     }
 
     fn large_residual(&self, solution: &Solution, residual: f64, t: f64) -> Diagnostic {

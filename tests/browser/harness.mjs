@@ -31,9 +31,14 @@ export function evaluate(spec, points, options = []) {
   return String(table).trim().split("\n").slice(1).map((line) => line.split(",").slice(3).map(Number));
 }
 
+// What `check` reports of a spec.
+export function report(spec) {
+  return JSON.parse(trimline(["check", spec, "--format", "json", "--quiet", "--time", "0.125"]));
+}
+
 // The names of all patches, nets and copies, in the order of the page; of copies only so many.
 export function partsOf(spec, most = Infinity) {
-  const { patches, nets, copies } = JSON.parse(trimline(["check", spec, "--format", "json", "--quiet", "--time", "0.125"]));
+  const { patches, nets, copies } = report(spec);
   return [...patches, ...nets, ...copies.slice(0, most)].map(({ name }) => name);
 }
 

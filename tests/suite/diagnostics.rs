@@ -46,7 +46,6 @@ const ELSEWHERE: &[(Code, &str)] = &[
     (Code::OutputFailed, "a full disk"),
     (Code::NoArea, "tests of CAD files"),
     (Code::FormatCannotHold, "tests of exports"),
-    (Code::SurfaceFolds, "`check`, which tests of the command run"),
     (Code::DegenerateNormals, "a mesh"),
     (Code::PrecisionLost, "an export"),
 ];

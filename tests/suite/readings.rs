@@ -156,7 +156,7 @@ const PLAIN: &[(&str, &str)] = &[
     ("√pi v", "√(π)*v"),
     (r"$$\sin\frac{v}{2} \cdot \cos t$$", "sin(v/2)*cos(t)"),
     (r"$$\sin\frac{v}{2} \times \operatorname{arsinh} t$$", "sin(v/2)*asinh(t)"),
-    (r"$$e^{-k} v + e^k\, v + e^t/2$$", "e^(-k)*v + e^(k)*v + (e^t)/2"),
+    (r"$$e^{-k} v + e^k\, v + e^t/2$$", "e^(-k)*v + e^(k)*v + 0.5*e^t"),
     (r"$$e^t(1 + v)$$", "e^(t)*(1 + v)"),
     (r"$$e^k\left(1 + v\right)^2$$", "e^(k)*(1 + v)^2"),
     (r"$$\sqrt{v}^2 + \sqrt{1 + v}^{2}$$", "(sqrt(v))^2 + (sqrt(1 + v))^2"),

@@ -6,6 +6,7 @@ use serde::Serialize;
 use trimline::diagnostic::Shortest;
 
 use crate::failure::Failure;
+use crate::output::rounded;
 
 /// Bounds on what `check` measures.
 #[derive(Args)]
@@ -97,8 +98,18 @@ impl Exceeded {
         let Exceeded { option, place, .. } = self;
         match (self.bound, self.value) {
             (None, _) => format!("{place}: {option}"),
-            (Some(bound), None) => format!("{place}: nothing to be measured for {option} {}", Shortest(bound)),
-            (Some(bound), Some(value)) => format!("{place}: {} exceeds {option} {}", Shortest(value), Shortest(bound)),
+            (Some(bound), None) => format!("{place}: nothing to be measured for {option} {}", stated(bound)),
+            (Some(bound), Some(value)) => {
+                // As many digits as show that it does.
+                let shown = Some(rounded(value)).filter(|shown| shown.parse().is_ok_and(|shown: f64| shown > bound));
+                let shown = shown.unwrap_or_else(|| Shortest(value).to_string());
+                format!("{place}: {shown} exceeds {option} {}", stated(bound))
+            }
         }
     }
+}
+
+/// A bound as people write it.
+fn stated(bound: f64) -> String {
+    if (1e-2..1e4).contains(&bound) || bound == 0.0 { Shortest(bound).to_string() } else { format!("{bound:e}") }
 }

@@ -88,25 +88,6 @@ fn seam_is_measured_when_its_own_patches_exist() {
     assert_eq!(seams("seam a at u = 1 with c at u = 1"), (1, 2));
 }
 
-/// A loop with a corner that points inward, filled in its plane; and the area of a square.
-#[test]
-fn patch_that_folds_over_itself_is_warned_of() {
-    let filled = |edges: [&str; 4], more: &str| {
-        let edges: String = edges.map(|edge| format!("edge {edge}\n")).concat();
-        text(&trimline_reading(&format!("nsided cap {{\n{edges}{more}}}\n"), &["check", "-"]).stderr)
-    };
-    let reflex = ["[u, 0, 0]", "[1 - 0.9 u, 0.1 u, 0]", "[0.1 - 0.1 u, 0.1 + 0.9 u, 0]", "[0, 1 - u, 0]"];
-    let square = ["[u, 0, 0]", "[1, u, 0]", "[1 - u, 1, 0]", "[0, 1 - u, 0]"];
-    let errors = filled(reflex, "");
-    assert!(errors.contains("W0716") && errors.contains("the patch `cap.3` folds over itself near u = "), "{errors}");
-    for centre in ["centre = [50, 50, 3]\n", "centre = [5, 5, 0]\n"] {
-        assert!(filled(square, centre).contains("W0716"), "{centre}");
-    }
-    for centre in ["", "centre = [0.5, 0.5, 3]\n", "centre = [0.6, 0.4, 0]\n"] {
-        assert!(!filled(square, centre).contains("W0716"), "{centre}");
-    }
-}
-
 #[test]
 fn number_of_modes_and_tolerance_stand_for_each_other() {
     let data =
