@@ -74,7 +74,9 @@ for (const spec of examples) {
     }
     // Equation, domain and constraints, and a function of the basis where there is one.
     const { patches: solved, nets } = report(spec);
-    check(await page.locator("#equation math").count() >= 3 * solved.length + nets.length, "the problem is not shown");
+    // Of models with long constraints a line says that they are too long.
+    const formulas = (isPlain ? 3 : 1) * solved.length + nets.length;
+    check(await page.locator("#equation math").count() >= formulas, "the problem is not shown");
     const originals = patches.filter(({ name, kind }) => kind === "separable" && solved.some((patch) => patch.name === name));
     check(await page.locator("#basis math").count() >= originals.length, "the basis is not shown");
   }));
