@@ -3,7 +3,6 @@
 use std::io;
 
 use crate::diagnostic::{Code, Diagnostic, Shortest};
-use crate::tessellate::Mesh;
 
 /// Why a scene could not be written.
 #[derive(Debug, thiserror::Error)]
@@ -109,21 +108,4 @@ impl ExportError {
 /// `count` as the 32-bit number a format stores.
 pub(super) fn count_of(format: &'static str, items: &'static str, count: usize) -> Result<u32, ExportError> {
     u32::try_from(count).map_err(|_| ExportError::TooMany { format, items, largest: u32::MAX, count })
-}
-
-/// The positions of a mesh for a format of 32-bit floats.
-pub(super) fn in_single_precision(format: &'static str, mesh: &Mesh) -> Result<Vec<[f32; 3]>, ExportError> {
-    let round = |position: &[f64; 3]| {
-        let rounded = position.map(|x| x as f32);
-        match position.iter().zip(rounded).find(|(_, rounded)| !rounded.is_finite()) {
-            None => Ok(rounded),
-            Some((&value, _)) => Err(ExportError::CoordinateTooLarge {
-                format,
-                mesh: mesh.name.clone(),
-                largest: f64::from(f32::MAX),
-                value,
-            }),
-        }
-    };
-    mesh.positions.iter().map(round).collect()
 }

@@ -11,8 +11,9 @@ use serde_json::{Value, json};
 use crate::diagnostic::Diagnostic;
 use crate::tessellate::{Mesh, Role, Scene};
 
-use super::error::{count_of, in_single_precision};
+use super::error::count_of;
 use super::name::on_one_line;
+use super::single::in_single_precision;
 use super::triangles::triangles;
 use super::{Content, ExportError, Row};
 use crate::diagnostic::Shortest;
@@ -23,6 +24,7 @@ pub(super) const ROW: Row = Row {
     description: "binary glTF for the web and Blender; triangles, normals and (u, v) in single precision; an animation",
     content: Content::Animation(write),
     holds_fields: false,
+    is_single: true,
 };
 
 // The numbers that the specification gives to what it names.

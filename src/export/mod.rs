@@ -18,6 +18,7 @@ mod name;
 mod npz;
 mod obj;
 mod ply;
+mod single;
 mod stl;
 #[cfg(feature = "formats")]
 mod threemf;
@@ -71,6 +72,8 @@ struct Row {
     content: Content,
     /// Whether it keeps [`Mesh::fields`].
     holds_fields: bool,
+    /// Whether positions end up in 32-bit floats, in the file or in every reader of it.
+    is_single: bool,
 }
 
 /// What one file of a format holds, and the function that writes it.
@@ -174,7 +177,7 @@ pub fn write_frames(frames: &[Scene], format: Format, out: &mut dyn Write) -> Re
     let not_one = ExportError::NotOneInstant { format: format.name(), count: frames.len() };
     let Some(first) = frames.first() else { return Err(not_one) };
     let mut out = BufWriter::new(out);
-    let warnings = match format.row().content {
+    let mut warnings = match format.row().content {
         Content::Still(write) if frames.len() == 1 => write(first, &mut out)?,
         Content::Still(_) => return Err(not_one),
         Content::Animation(write) => {
@@ -182,6 +185,9 @@ pub fn write_frames(frames: &[Scene], format: Format, out: &mut dyn Write) -> Re
             write(frames, &mut out)?
         }
     };
+    if format.row().is_single {
+        warnings.extend(single::precision_warning(format.name(), frames));
+    }
     out.flush()?;
     Ok(warnings)
 }

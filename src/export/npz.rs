@@ -21,6 +21,7 @@ pub(super) const ROW: Row = Row {
     description: "NumPy arrays of doubles: positions, S_u, S_v, fields, u, v and t; all frames in one file",
     content: Content::Animation(write),
     holds_fields: true,
+    is_single: false,
 };
 
 fn write(frames: &[Scene], out: &mut dyn Write) -> Result<Vec<Diagnostic>, ExportError> {

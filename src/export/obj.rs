@@ -15,6 +15,7 @@ pub(super) const ROW: Row = Row {
     description: "text; quads, normals, (u, v) and patch names; coordinates exact to the last digit",
     content: Content::Still(write),
     holds_fields: false,
+    is_single: false,
 };
 
 fn write(scene: &Scene, out: &mut dyn Write) -> Result<Vec<Diagnostic>, ExportError> {

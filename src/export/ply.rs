@@ -15,6 +15,7 @@ pub(super) const ROW: Row = Row {
     description: "binary; quads, normals, (u, v) and fields in double precision, all patches in one mesh",
     content: Content::Still(write),
     holds_fields: true,
+    is_single: false,
 };
 
 /// The properties of a vertex, in the order they are written.

@@ -9,7 +9,8 @@ use stl_io::{Normal, Triangle, Vertex};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::tessellate::{Mesh, Scene};
 
-use super::error::{count_of, in_single_precision};
+use super::error::count_of;
+use super::single::in_single_precision;
 use super::triangles::triangles;
 use super::{Content, ExportError, Row};
 
@@ -19,6 +20,7 @@ pub(super) const ROW: Row = Row {
     description: "binary; triangles in single precision, all patches in one mesh; for printing",
     content: Content::Still(write),
     holds_fields: false,
+    is_single: true,
 };
 
 fn write(scene: &Scene, mut out: &mut dyn Write) -> Result<Vec<Diagnostic>, ExportError> {

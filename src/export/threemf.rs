@@ -23,6 +23,7 @@ pub(super) const ROW: Row = Row {
     description: "for printing; triangles and patch names, decimals exact to the last digit, one unit is a millimetre",
     content: Content::Still(write),
     holds_fields: false,
+    is_single: true,
 };
 
 const CORE: &str = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02";

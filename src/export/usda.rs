@@ -9,8 +9,8 @@ use std::io::{self, Write};
 use crate::diagnostic::Diagnostic;
 use crate::tessellate::{Mesh, Role, Scene};
 
-use super::error::in_single_precision;
 use super::name::{distinct_words, on_one_line};
+use super::single::in_single_precision;
 use super::{Content, ExportError, Row};
 use crate::diagnostic::{Shortest, Single};
 
@@ -20,6 +20,7 @@ pub(super) const ROW: Row = Row {
     description: "text for film and Omniverse; quads, normals, (u, v), fields in single precision; an animation",
     content: Content::Animation(write),
     holds_fields: true,
+    is_single: true,
 };
 
 fn write(frames: &[Scene], out: &mut dyn Write) -> Result<Vec<Diagnostic>, ExportError> {

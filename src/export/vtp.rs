@@ -20,6 +20,7 @@ pub(super) const ROW: Row = Row {
     description: "VTK for ParaView; quads, normals, S_u, S_v, (u, v) and fields in double precision; frames by a .pvd",
     content: Content::Still(write),
     holds_fields: true,
+    is_single: false,
 };
 
 fn write(scene: &Scene, out: &mut dyn Write) -> Result<Vec<Diagnostic>, ExportError> {

@@ -206,9 +206,23 @@ fn stl_of_a_patch_too_small_for_f32_at_its_place_warns_with_the_count() {
         *position = position.map(|x| 1e6 + 1e-4 * x);
     }
     let warnings = write(&scene, Format::Stl, &mut Vec::new()).unwrap();
-    assert_eq!(warnings.len(), 1);
-    assert_eq!(warnings[0].code, Code::PrecisionLost);
+    assert_eq!(warnings.len(), 2);
+    assert!(warnings.iter().all(|warning| warning.code == Code::PrecisionLost));
     assert!(warnings[0].message.starts_with("12 triangles are left out"), "{}", warnings[0].message);
+}
+
+/// Halves at 1e8 lie between singles, which are 8 apart there.
+#[test]
+fn scene_that_single_precision_deforms_is_a_warning_of_the_formats_that_have_it() {
+    let mut far = PLANE.scene((2, 3));
+    far.meshes[0].positions.iter_mut().for_each(|position| position[0] += 1e8 + 0.5);
+    for &format in Format::ALL {
+        let warnings = write(&far, format, &mut Vec::new()).unwrap();
+        let is_told = warnings.iter().any(|warning| warning.message.contains("single precision, in which the points"));
+        let is_single = ["STL", "GLB", "USDA", "3MF"].contains(&format.name());
+        assert_eq!(is_told, is_single, "{}: {warnings:?}", format.name());
+        assert_eq!(write(&PLANE.scene((2, 3)), format, &mut Vec::new()).unwrap().len(), 0, "{}", format.name());
+    }
 }
 
 #[test]

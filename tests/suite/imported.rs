@@ -289,7 +289,7 @@ fn faults_of_a_file_are_one_error_at_its_name() {
         ("\"part.step\"", good(), "E0609 `\"part.step\"` part.step: this is no STEP file"),
         (
             "\"part.step\"",
-            "ISO-10303-21;\nDATA;\n#1=PLANE('',#2);\nENDSEC;\n".to_owned(),
+            "ISO-10303-21;\nDATA;\n#1=PLANE('',#2);\nENDSEC;\nEND-ISO-10303-21;\n".to_owned(),
             "E0609 `\"part.step\"` part.step: the STEP file has no face on a B-spline surface",
         ),
         ("\"other.json\"", good(), "E0221 `\"other.json\"` the data file `other.json` cannot be read: there is none"),

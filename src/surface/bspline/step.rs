@@ -8,7 +8,7 @@
 use rustc_hash::FxHashMap;
 
 use super::{BsplineSurface, KnotVector};
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::{Code, Diagnostic, Shortest};
 use crate::limits::Limits;
 
 /// A piece of an instance.
@@ -31,11 +31,14 @@ enum Token<'a> {
 /// The surface alone, or as a part of a complex instance.
 const SURFACE: &str = "B_SPLINE_SURFACE_WITH_KNOTS";
 
+/// What a complete file ends with.
+const END: &str = "END-ISO-10303-21";
+
 /// Reads the B-spline surfaces of a STEP file, each with its name, which is often empty.
 ///
 /// # Errors
-/// [`Code::BadSplineFile`] for a text that is no STEP file, for one without a B-spline surface, and for surfaces that are
-/// rational or refer to points that are missing; [`Code::LimitReached`] for more control points than `limits` allow; the
+/// [`Code::BadSplineFile`] for a text that is no STEP file, is cut off or numbers two instances alike, for one without a
+/// B-spline surface, and for surfaces that are rational or refer to points that are missing; [`Code::LimitReached`] for more control points than `limits` allow; the
 /// errors of [`KnotVector::new`] and [`BsplineSurface::new`], each with the number of its instance.
 pub fn from_step(text: &str, limits: &Limits) -> Result<Vec<(String, BsplineSurface)>, Diagnostic> {
     if !text.trim_start().starts_with("ISO-10303-21") {
@@ -43,7 +46,17 @@ pub fn from_step(text: &str, limits: &Limits) -> Result<Vec<(String, BsplineSurf
         return Err(finding.hint("STEP files are Part 21 texts, with the extension .step or .stp"));
     }
     let instances = instances(text);
-    let bodies: FxHashMap<u64, &str> = instances.iter().copied().collect();
+    if !text.contains(END) {
+        let after = instances.last().map_or_else(String::new, |(number, _)| format!(" behind #{number}"));
+        let finding = bad(format!("the STEP file ends{after}, before its {END}: it was cut off"));
+        return Err(finding.hint("copy or export the file once more"));
+    }
+    let mut bodies = FxHashMap::default();
+    for &(number, body) in &instances {
+        if bodies.insert(number, body).is_some() {
+            return Err(bad(format!("the STEP file has two instances #{number}")));
+        }
+    }
     let mut surfaces = Vec::new();
     let mut points = 0_usize;
     for (number, body) in instances {
@@ -220,7 +233,6 @@ impl<'a> Instance<'a> {
                 (own.get(..1).map(<[_]>::to_vec), base.to_vec(), knots.to_vec())
             }
         };
-        self.check_weights()?;
         let [degree_u, degree_v, net, ..] = base.as_slice() else { return Err(incomplete()) };
         let [counts_u, counts_v, knots_u, knots_v, ..] = knots.as_slice() else { return Err(incomplete()) };
         let u = KnotVector::new(degree(degree_u)?, repeated(counts_u, knots_u, allowed)?)?;
@@ -242,6 +254,7 @@ impl<'a> Instance<'a> {
                 points.push(self.point(point)?);
             }
         }
+        self.check_weights(points.len())?;
         let name = match name.as_deref() {
             Some([[Token::Text(name)], ..]) => name.replace("''", "'"),
             _ => String::new(),
@@ -249,14 +262,20 @@ impl<'a> Instance<'a> {
         Ok(Some((name, BsplineSurface::new(u, v, points)?)))
     }
 
-    /// Refuses weights that differ.
-    fn check_weights(&self) -> Result<(), Diagnostic> {
+    /// Refuses weights, one for each of `points`, that make a surface rational or no surface at all.
+    fn check_weights(&self, points: usize) -> Result<(), Diagnostic> {
         let Some(weights) = self.part("RATIONAL_B_SPLINE_SURFACE") else { return Ok(()) };
         let numbers = weights.iter().flat_map(|list| list.iter()).filter_map(|token| match token {
             Token::Number(weight) => Some(*weight),
             _ => None,
         });
         let numbers: Vec<f64> = numbers.collect();
+        if numbers.len() != points {
+            return Err(bad(format!("the B-spline surface has {points} control points and {} weights", numbers.len())));
+        }
+        if let Some(weight) = numbers.iter().find(|weight| !(**weight > 0.0 && weight.is_finite())) {
+            return Err(bad(format!("a weight of the B-spline surface is {}, and not positive", Shortest(*weight))));
+        }
         if numbers.windows(2).all(|pair| matches!(pair, [a, b] if a == b)) {
             return Ok(());
         }
