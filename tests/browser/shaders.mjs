@@ -102,10 +102,11 @@ for (const [spec, name] of [zero, ...examples].flatMap((spec) => partsOf(spec, 2
       const [, surface, parameters] = /(\w+_surface)\(([^)]*)\)/.exec(text);
       return { text, surface, at: /\bt\b/.test(parameters.replace(/\bout\b.*/, "")) ? "at.x, at.y, at.z" : "at.x, at.y" };
     };
-    // Numbers that single precision holds, so that both sides are asked the same; v in [0, 1] is in every domain.
+    // Numbers that single precision holds, so that both sides are asked the same.
     const pointsOf = (text) => {
-      const [, low, high] = /for u in \[([^,]+), ([^\]]+)\]/.exec(text).map(Number);
-      return Array.from({ length: 16 }, (_, k) => [low + ((high - low) * (k % 5)) / 4, k / 16, time]);
+      const [, low, high, first, last] = /for u in \[([^,]+), ([^\]]+)\], v in \[([^,]+), ([^\]]+)\]/.exec(text).map(Number);
+      const v = (k) => Math.fround(first + ((k + 0.5) / 16) * Math.min(1, last - first));
+      return Array.from({ length: 16 }, (_, k) => [low + ((high - low) * (k % 5)) / 4, v(k), time]);
     };
     const compare = (found, points, text) => {
       // Rounding of 6e-8 in sums of some ten terms of some forty, which cancel in part; and where sines are taken, WGSL

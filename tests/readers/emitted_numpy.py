@@ -48,10 +48,10 @@ def deviations(spec, text, time, options):
     names = {}
     exec(compile(text, spec.name, "exec"), names)
     [surface] = [value for name, value in names.items() if name.endswith("_surface")]
-    low, high = map(float, re.search(r"for u in \[(\S+), (\S+)\]", text).groups())
+    ranges = re.search(r"for u in \[(\S+), (\S+)\], v in \[(\S+), (\S+)\]", text).groups()
+    low, high, first, last = map(float, ranges)
     chance = np.random.default_rng(20121)
-    # v in [0, 1] lies in the domain of every example.
-    u, v = low + (high - low) * np.r_[0.0, 1.0, chance.random(30)], np.r_[0.0, 1.0, chance.random(30)]
+    u, v = low + (high - low) * np.r_[0.0, 1.0, chance.random(30)], first + (last - first) * np.r_[0.0, 1.0, chance.random(30)]
     takes_time = surface.__code__.co_argcount == 3
     found = surface(u, v, time) if takes_time else surface(u, v)
     rows = "\n".join(f"{a!r},{b!r},{time!r}" for a, b in zip(u.tolist(), v.tolist()))
