@@ -82,10 +82,13 @@ impl Language {
     }
 }
 
+/// WGSL bounds a table by 64 KiB, of which a point takes 16 bytes; what GLSL takes depends on the browser, and is little more.
+const MOST_POINTS_OF_SHADERS: usize = 4096;
+
 /// The source text of `formula` in `language`.
 ///
 /// # Errors
-/// [`Code::FormatCannotHold`] when a number does not fit the language's precision.
+/// [`Code::FormatCannotHold`] when a number does not fit the language's precision, or a net a shader's table.
 pub fn emit(formula: &Formula, language: Language) -> Result<String, Diagnostic> {
     if language.is_single_precision()
         && let Some(number) = formula.numbers().into_iter().find(|number| !(*number as f32).is_finite())
@@ -93,6 +96,18 @@ pub fn emit(formula: &Formula, language: Language) -> Result<String, Diagnostic>
         let message = format!("the number {number:?} of this surface is too large for {}", language.description());
         return Err(Diagnostic::new(Code::FormatCannotHold, message)
             .hint("scale the problem, or emit a language of double precision: c, rust or numpy"));
+    }
+    if language.is_single_precision()
+        && let Form::Net(surface, _) = &formula.form
+        && surface.net().len() > MOST_POINTS_OF_SHADERS
+    {
+        let count = surface.net().len();
+        let message = format!(
+            "a table of {} holds {MOST_POINTS_OF_SHADERS} control points, and this surface has {count}",
+            language.description()
+        );
+        return Err(Diagnostic::new(Code::FormatCannotHold, message)
+            .hint("let the B-spline be farther off, `--within LENGTH`, or emit c, rust or numpy"));
     }
     Ok((language.row().write)(formula))
 }
