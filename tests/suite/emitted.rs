@@ -284,7 +284,7 @@ fn number_beyond_single_precision_is_refused_by_shaders_only() {
 #[test]
 fn net_of_more_points_than_a_table_of_shaders_holds_is_refused_by_them_only() {
     for (size, is_refused) in [(63, false), (64, true)] {
-        let net = only("net", &format!("bspline net {{\nnet {size} x {size} from [i, j, i j/100]\n}}\n"), None);
+        let net = only("sheet", &format!("bspline sheet {{\nnet {size} x {size} from [i, j, i j/100]\n}}\n"), None);
         for language in Language::ALL {
             let emitted = emit(&net.formula, *language);
             match language.is_single_precision() && is_refused {

@@ -11,11 +11,12 @@ use axum::response::{IntoResponse, Response};
 /// The longest address answered; every param of a large spec fits.
 const LONGEST_ADDRESS: usize = 32_768;
 
-/// Headers of every answer: the page may load nothing from elsewhere, and nobody else may embed it.
+/// Headers of every answer: the page may load nothing from elsewhere, and nobody else may embed it. KaTeX gives tall brackets
+/// their width in style attributes.
 const HEADERS: [(header::HeaderName, &str); 5] = [
     (
         header::CONTENT_SECURITY_POLICY,
-        "default-src 'self'; img-src 'self' blob: data:; frame-ancestors 'none'; base-uri 'none'; form-action 'none'",
+        "default-src 'self'; style-src-attr 'unsafe-inline'; img-src 'self' blob: data:; frame-ancestors 'none'; base-uri 'none'; form-action 'none'",
     ),
     (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),
     (header::REFERRER_POLICY, "no-referrer"),
