@@ -25,6 +25,7 @@ pub use amplitudes::amplitude_series;
 pub use formula::{Form, Formula, Placement, Sum};
 
 use crate::diagnostic::{Code, Diagnostic};
+use crate::numeric::ChebyshevSeries;
 
 /// A language that surfaces can be emitted in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -82,13 +83,13 @@ impl Language {
     }
 }
 
-/// WGSL bounds a table by 64 KiB, of which a point takes 16 bytes; what GLSL takes depends on the browser, and is little more.
-const MOST_POINTS_OF_SHADERS: usize = 4096;
+/// WGSL bounds a table by 64 KiB, of which a vector takes 16 bytes; what GLSL takes depends on the browser, and is little more.
+const LONGEST_TABLE_OF_SHADERS: usize = 4096;
 
 /// The source text of `formula` in `language`.
 ///
 /// # Errors
-/// [`Code::FormatCannotHold`] when a number does not fit the language's precision, or a net a shader's table.
+/// [`Code::FormatCannotHold`] when a number does not fit the language's precision, or a table is longer than those of shaders.
 pub fn emit(formula: &Formula, language: Language) -> Result<String, Diagnostic> {
     if language.is_single_precision()
         && let Some(number) = formula.numbers().into_iter().find(|number| !(*number as f32).is_finite())
@@ -97,17 +98,26 @@ pub fn emit(formula: &Formula, language: Language) -> Result<String, Diagnostic>
         return Err(Diagnostic::new(Code::FormatCannotHold, message)
             .hint("scale the problem, or emit a language of double precision: c, rust or numpy"));
     }
-    if language.is_single_precision()
-        && let Form::Net(surface, _) = &formula.form
-        && surface.net().len() > MOST_POINTS_OF_SHADERS
-    {
-        let count = surface.net().len();
+    let longest = longest_table(formula);
+    if language.is_single_precision() && longest > LONGEST_TABLE_OF_SHADERS {
         let message = format!(
-            "a table of {} holds {MOST_POINTS_OF_SHADERS} control points, and this surface has {count}",
+            "a table of {} holds {LONGEST_TABLE_OF_SHADERS} vectors, and this surface has one of {longest}",
             language.description()
         );
-        return Err(Diagnostic::new(Code::FormatCannotHold, message)
-            .hint("let the B-spline be farther off, `--within LENGTH`, or emit c, rust or numpy"));
+        return Err(Diagnostic::new(Code::FormatCannotHold, message).hint(
+            "a B-spline that may be farther off, `--within LENGTH`, fewer `--modes`, or a language with longer tables: c, rust or numpy",
+        ));
     }
     Ok((language.row().write)(formula))
+}
+
+/// The number of vectors in the longest table that the text has.
+fn longest_table(formula: &Formula) -> usize {
+    match &formula.form {
+        Form::Net(surface, _) => surface.net().len(),
+        Form::Sum(sum) => {
+            let vectors = |series: &ChebyshevSeries| series.coefficients.iter().map(Vec::len).sum::<usize>() / 3;
+            sum.amplitudes.iter().map(vectors).max().unwrap_or(0)
+        }
+    }
 }
