@@ -17,12 +17,15 @@ export function trimline(args, input = "") {
   return stdout;
 }
 
-// The options with which `emit` takes a part: those that are no sums of products, or too steep for series, have to be
-// told how far a B-spline may be off, and only they.
+// The options with which a shading language takes a part: those that are no sums of products, or too steep for series, have
+// to be told how far a B-spline may be off, and of some only one that is farther off has few enough control points.
 export function emitOptions(spec, part) {
-  const { status, stderr } = spawnSync(TRIMLINE, ["emit", spec, "--lang", "c", "--patch", part]);
-  if (status !== 0 && !/--within/.test(stderr)) throw new Error(`${spec}, ${part}: ${stderr}`);
-  return status === 0 ? [] : ["--within", "2e-3"]; // Few enough control points for a shader.
+  const taken = [[], ["--within", "1e-4"], ["--within", "2e-3"]].find((within) => {
+    const { status, stderr } = spawnSync(TRIMLINE, ["emit", spec, "--lang", "wgsl", "--patch", part, ...within]);
+    if (status !== 0 && !/--within/.test(stderr)) throw new Error(`${spec}, ${part}: ${stderr}`);
+    return status === 0;
+  });
+  return taken ?? [];
 }
 
 // S, and the derivatives asked for, at points [u, v, t]: nine numbers and so on each.
