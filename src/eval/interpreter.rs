@@ -16,7 +16,7 @@ use crate::kernels::{InstructionSet, Rows, canonical, multiversion};
 
 use super::program::{Op, Program};
 use super::schedule::{Operand, Pairing, Schedule, Step};
-use super::{EvalError, Evaluator, Samples, checked_points};
+use super::{EvalError, Evaluator, Samples, checked_points, checked_samples};
 
 /// Samples a step treats at once: 2 KiB a row, so that a dozen live rows stay in the first-level cache.
 const BLOCK: usize = 256;
@@ -48,13 +48,42 @@ impl Evaluator for Interpreter {
 
     fn evaluate(&self, params: &[f64], samples: Samples<'_>, values: &mut [f64]) -> Result<(), EvalError> {
         let points = checked_points(&self.program, params, samples, values)?;
+        self.run(params, samples, (values, points), &mut Workspace::default());
+        Ok(())
+    }
+
+    fn evaluate_rows(
+        &self,
+        params: &[f64],
+        samples: Samples<'_>,
+        target: &mut Rows,
+        workspace: &mut Workspace,
+    ) -> Result<(), EvalError> {
+        let points = checked_samples(&self.program, params, samples)?;
+        target.reshape(self.program.outputs(), points);
+        self.run(params, samples, target.strided(), workspace);
+        Ok(())
+    }
+}
+
+impl Interpreter {
+    /// Evaluates block by block, once all lengths are known to fit; rows of values begin `stride` apart.
+    fn run(
+        &self,
+        params: &[f64],
+        samples: Samples<'_>,
+        (values, stride): (&mut [f64], usize),
+        workspace: &mut Workspace,
+    ) {
+        let points = samples.u.len();
         if points == 0 {
-            return Ok(());
+            return;
         }
         let set = InstructionSet::best();
-        let uniform = uniform_values(&self.program, params);
-        let mut registers = Rows::zeros(self.schedule.registers(), points.min(BLOCK));
-        let mut outputs: Vec<&mut [f64]> = values.chunks_mut(points).collect();
+        workspace.prepare(&self.program, params, (self.schedule.registers(), points.min(BLOCK)));
+        let Workspace { uniform, registers, .. } = workspace;
+        let row = |values| <[f64]>::split_at_mut_checked(values, points).map(|(row, _)| row.chunks_mut(BLOCK));
+        let mut outputs: Vec<_> = values.chunks_mut(stride).take(self.program.outputs()).filter_map(row).collect();
         let count = outputs.len();
         let mut rows: Vec<&mut [f64]> = Vec::with_capacity(count + self.schedule.registers());
         rows.resize_with(count, Default::default);
@@ -62,15 +91,39 @@ impl Evaluator for Interpreter {
         let blocks = samples.u.chunks(BLOCK).zip(samples.v.chunks(BLOCK)).zip(samples.t.chunks(BLOCK));
         for ((u, v), t) in blocks {
             let (now, registers) = rows.split_at_mut(count);
-            for (row, output) in now.iter_mut().zip(&mut outputs) {
-                (*row, *output) = std::mem::take(output).split_at_mut_checked(u.len()).unwrap_or_default();
-            }
+            now.iter_mut().zip(&mut outputs).for_each(|(row, output)| *row = output.next().unwrap_or_default());
             registers.iter_mut().for_each(|register| shorten(register, u.len()));
             let splines = self.program.splines();
-            run(set, self.schedule.steps(), (&uniform, splines), Samples { u, v, t }, &mut rows);
+            run(set, self.schedule.steps(), (uniform, splines), Samples { u, v, t }, &mut rows);
         }
-        Ok(())
     }
+}
+
+/// What an evaluation needs besides its arguments, kept for the next: values of the uniform ops, and registers.
+#[derive(Debug, Default)]
+pub struct Workspace {
+    /// The program and the parameters that the uniform values belong to.
+    of: Option<Arc<Program>>,
+    params: Vec<f64>,
+    uniform: Vec<f64>,
+    registers: Rows,
+}
+
+impl Workspace {
+    fn prepare(&mut self, program: &Arc<Program>, params: &[f64], (registers, length): (usize, usize)) {
+        let is_known = self.of.as_ref().is_some_and(|of| Arc::ptr_eq(of, program)) && are_same(&self.params, params);
+        if !is_known {
+            self.uniform = uniform_values(program, params);
+            self.params = params.to_vec();
+            self.of = Some(Arc::clone(program));
+        }
+        self.registers.reshape(registers, length);
+    }
+}
+
+/// Whether numbers are the same to the last bit, the sign of a zero included.
+pub(super) fn are_same(some: &[f64], others: &[f64]) -> bool {
+    some.iter().map(|number| number.to_bits()).eq(others.iter().map(|number| number.to_bits()))
 }
 
 /// Cuts a register to `length`: only the last block is shorter than those before.

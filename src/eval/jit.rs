@@ -22,9 +22,10 @@ use cranelift_jit::{JITBuilder, JITModule};
 use cranelift_module::{FuncId, Module, ModuleError, default_libcall_names};
 
 use crate::expr::{Function, SplineCall, Variable};
+use crate::kernels::Rows;
 
 use super::program::{Op, OpId, Program};
-use super::{EvalError, Evaluator, Samples, checked_points};
+use super::{EvalError, Evaluator, Samples, Workspace, checked_points, checked_samples};
 
 #[path = "jit_shims.rs"]
 mod shims;
@@ -98,16 +99,39 @@ impl Evaluator for Jit {
 
     fn evaluate(&self, params: &[f64], samples: Samples<'_>, values: &mut [f64]) -> Result<(), EvalError> {
         let points = checked_points(&self.program, params, samples, values)?;
-        let Samples { u, v, t } = samples;
-        // SAFETY: `checked_points` established that u, v and t hold `points` doubles, `params` every index the
-        // program reads, and `values` one row of `points` for each output; the code accesses no others (see
-        // `Emitter`), needs no alignment beyond a double's, and `&self` keeps its pages mapped. The splines whose
-        // addresses stand in the code belong to `self.program`, which nothing changes or drops meanwhile. `values` is
-        // borrowed exclusively, so no slice read here is written by anyone.
-        unsafe {
-            (self.entry)(points, u.as_ptr(), v.as_ptr(), t.as_ptr(), params.as_ptr(), values.as_mut_ptr(), points);
-        }
+        self.run(params, samples, (values, points));
         Ok(())
+    }
+
+    fn evaluate_rows(
+        &self,
+        params: &[f64],
+        samples: Samples<'_>,
+        target: &mut Rows,
+        _workspace: &mut Workspace,
+    ) -> Result<(), EvalError> {
+        let points = checked_samples(&self.program, params, samples)?;
+        target.reshape(self.program.outputs(), points);
+        self.run(params, samples, target.strided());
+        Ok(())
+    }
+}
+
+impl Jit {
+    /// Runs the code, once samples and parameters are known to fit the program; rows of values begin `stride` apart.
+    fn run(&self, params: &[f64], Samples { u, v, t }: Samples<'_>, (values, stride): (&mut [f64], usize)) {
+        let points = u.len();
+        let rows = self.program.outputs();
+        let needed = rows.saturating_sub(1).saturating_mul(stride).saturating_add(points);
+        assert!(rows == 0 || needed <= values.len(), "whoever calls has counted the rows");
+        // SAFETY: the callers established that u, v and t hold `points` doubles and `params` every index the
+        // program reads, and `values` holds a row of `points` for each output, `stride` apart, as asserted above; the
+        // code accesses no others (see `Emitter`), needs no alignment beyond a double's, and `&self` keeps its pages
+        // mapped. The splines whose addresses stand in the code belong to `self.program`, which nothing changes or
+        // drops meanwhile. `values` is borrowed exclusively, so no slice read here is written by anyone.
+        unsafe {
+            (self.entry)(points, u.as_ptr(), v.as_ptr(), t.as_ptr(), params.as_ptr(), values.as_mut_ptr(), stride);
+        }
     }
 }
 

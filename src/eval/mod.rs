@@ -3,12 +3,19 @@
 //! [`Program::compile`] lowers expressions to straight-line code; [`compile`] makes an [`Evaluator`] of it, either
 //! machine code or an interpreter. Invariant: for every input, both give the same bits. They run the same ops in
 //! the same order in IEEE double arithmetic and call the same functions of the operator table; the one freedom
-//! the standard leaves, sign and payload of a NaN, is taken away where outputs are stored.
+//! the standard leaves, sign and payload of a NaN, is taken away where outputs are stored. So which of them runs is
+//! a question of time alone: the interpreter for many samples, machine code for few (`adaptive`).
+//!
+//! A [`Jet`] is what a surface asks for: many functions and derivatives at once, of which equal ones are computed and
+//! stored once.
 //!
 //! Absent on purpose: judging values. Poles and overflow are results like any other; callers that need finite
 //! values ask [`first_non_finite`].
 
+#[cfg(feature = "jit")]
+mod adaptive;
 mod interpreter;
+mod jet;
 #[cfg(feature = "jit")]
 mod jit;
 mod program;
@@ -17,7 +24,10 @@ mod schedule;
 use std::sync::Arc;
 
 use crate::diagnostic::{Code, Diagnostic};
+use crate::kernels::Rows;
 
+pub use interpreter::Workspace;
+pub use jet::{Jet, JetValues};
 pub use program::{LARGEST_MULTIPLIED_POWER, Op, OpId, Program};
 
 /// The coordinates of a block of points: slices of one length.
@@ -44,12 +54,34 @@ pub trait Evaluator: Send + Sync {
     /// # Errors
     /// When a length does not fit; nothing is written in that case.
     fn evaluate(&self, params: &[f64], samples: Samples<'_>, values: &mut [f64]) -> Result<(), EvalError>;
+
+    /// The same, into `target`, which gets a row for each output; what the work needs is kept in `workspace` for the next
+    /// call, which then begins sooner. A workspace may go from one evaluator to another.
+    ///
+    /// # Errors
+    /// As [`Evaluator::evaluate`].
+    fn evaluate_rows(
+        &self,
+        params: &[f64],
+        samples: Samples<'_>,
+        target: &mut Rows,
+        _workspace: &mut Workspace,
+    ) -> Result<(), EvalError> {
+        let (count, points) = (self.program().outputs(), samples.u.len());
+        let mut values = vec![0.0; count.saturating_mul(points)];
+        self.evaluate(params, samples, &mut values)?;
+        target.reshape(count, points);
+        for (row, values) in target.iter_mut().zip(values.chunks(points.max(1))) {
+            row.copy_from_slice(values);
+        }
+        Ok(())
+    }
 }
 
 /// How programs are run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Backend {
-    /// Machine code where it can be had, the interpreter elsewhere.
+    /// Whichever is sooner done: the interpreter for many samples, machine code where single ones are asked for often.
     #[default]
     Auto,
     /// The interpreter.
@@ -91,23 +123,35 @@ pub enum EvalError {
 
 /// An evaluator for `program`, and a note when it is not the one `backend` asks for.
 ///
-/// Never fails: the interpreter runs every program on every machine. [`Backend::Auto`] gives a note only when
-/// machine code was to be had in this build, but not on this machine or for this program.
+/// Never fails: the interpreter runs every program on every machine. Only [`Backend::Jit`] gives a note.
 #[must_use]
 pub fn compile(program: Program, backend: Backend) -> (Arc<dyn Evaluator>, Option<Diagnostic>) {
     let program = Arc::new(program);
-    let interpret = |program| -> Arc<dyn Evaluator> { Arc::new(interpreter::Interpreter::new(program)) };
-    if backend == Backend::Interpreter {
-        return (interpret(program), None);
+    match backend {
+        Backend::Interpreter => (interpreted(program), None),
+        Backend::Auto => (adapted(program), None),
+        Backend::Jit => match machine_code(&program) {
+            Ok(evaluator) => (evaluator, None),
+            Err(reason) => {
+                let note = Diagnostic::new(Code::HostUnsupported, format!("no machine code, interpreting: {reason}"));
+                (interpreted(program), Some(note))
+            }
+        },
     }
-    match machine_code(&program) {
-        Ok(evaluator) => (evaluator, None),
-        Err(reason) => {
-            let is_note_due = cfg!(feature = "jit") || backend == Backend::Jit;
-            let note = || Diagnostic::new(Code::HostUnsupported, format!("no machine code, interpreting: {reason}"));
-            (interpret(program), is_note_due.then(note))
-        }
-    }
+}
+
+fn interpreted(program: Arc<Program>) -> Arc<dyn Evaluator> {
+    Arc::new(interpreter::Interpreter::new(program))
+}
+
+#[cfg(feature = "jit")]
+fn adapted(program: Arc<Program>) -> Arc<dyn Evaluator> {
+    Arc::new(adaptive::Adaptive::new(program))
+}
+
+#[cfg(not(feature = "jit"))]
+fn adapted(program: Arc<Program>) -> Arc<dyn Evaluator> {
+    interpreted(program)
 }
 
 #[cfg(feature = "jit")]
@@ -131,14 +175,20 @@ pub fn first_non_finite(values: &[f64], points: usize) -> Option<(usize, usize, 
 
 /// The number of samples, once every length is known to fit the program.
 fn checked_points(program: &Program, params: &[f64], samples: Samples<'_>, values: &[f64]) -> Result<usize, EvalError> {
+    let points = checked_samples(program, params, samples)?;
+    // A product past usize::MAX saturates to a length that no slice of doubles has.
+    let expected = program.outputs().saturating_mul(points);
+    if values.len() != expected {
+        return Err(EvalError::ValueLength { expected, found: values.len() });
+    }
+    Ok(points)
+}
+
+/// The number of samples, once samples and parameters are known to fit the program.
+fn checked_samples(program: &Program, params: &[f64], samples: Samples<'_>) -> Result<usize, EvalError> {
     let (u, v, t) = (samples.u.len(), samples.v.len(), samples.t.len());
     if u != v || u != t {
         return Err(EvalError::SampleLengths { u, v, t });
-    }
-    // A product past usize::MAX saturates to a length that no slice of doubles has.
-    let expected = program.outputs().saturating_mul(u);
-    if values.len() != expected {
-        return Err(EvalError::ValueLength { expected, found: values.len() });
     }
     if params.len() < program.symbols() {
         return Err(EvalError::MissingParameters { expected: program.symbols(), found: params.len() });

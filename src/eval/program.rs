@@ -132,6 +132,11 @@ impl Program {
         Program { splines: lowering.splines, ..schedule(&lowering.ops, outputs) }
     }
 
+    /// The program for other outputs, which are ops of this one.
+    pub(super) fn with_outputs(&self, outputs: Vec<OpId>) -> Program {
+        Program { splines: self.splines.clone(), ..schedule(&self.ops, outputs) }
+    }
+
     /// Every op, uniform ones first; the position of an op is its [`OpId`].
     #[must_use]
     pub fn ops(&self) -> &[Op] {

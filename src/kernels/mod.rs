@@ -7,6 +7,7 @@
 //! fixed order, and `mul_add` where a fused one is meant, which is defined to round once on every machine (without
 //! the instruction it is slower, never different). Nothing here is compiled with relaxed arithmetic.
 
+mod finite;
 mod instruction_set;
 mod rows;
 
@@ -16,6 +17,7 @@ pub mod peak;
 
 pub(crate) use instruction_set::multiversion;
 
+pub use finite::are_finite;
 pub use instruction_set::InstructionSet;
 pub use rows::Rows;
 

@@ -181,7 +181,7 @@ impl Equation {
             modes,
             basis: Arc::clone(&self.basis),
             params: params.to_vec(),
-            coefficients,
+            coefficients: Arc::new(coefficients),
             instant: Some(t),
         }
     }

@@ -6,6 +6,8 @@
 
 use nalgebra::DMatrix;
 
+use crate::kernels::{InstructionSet, multiversion};
+
 /// The polynomials ξ_i, as coefficients of powers of a variable y that runs from -1 to 1 between the outermost
 /// positions: powers of one from 0 to 1 need larger coefficients, which lose a digit or two.
 #[derive(Debug, Clone)]
@@ -88,6 +90,32 @@ impl CardinalPolynomials {
             factor * terms.fold(0.0, |sum, (power, coefficient)| sum * y + coefficient * falling(power, order))
         };
         self.coefficients.iter().map(value).collect()
+    }
+
+    /// The same at many `x`, a row for each ξ_i: the same bits.
+    pub fn tabulate(&self, order: usize, x: &[f64], rows: &mut [&mut [f64]]) {
+        let y: Vec<f64> = x.iter().map(|x| self.scaled(*x)).collect();
+        let factor = self.chain(order);
+        for (row, coefficients) in rows.iter_mut().zip(&self.coefficients) {
+            let terms = coefficients.iter().enumerate().skip(order);
+            let series: Vec<f64> =
+                terms.map(|(power, coefficient)| coefficient * falling(power, order)).rev().collect();
+            horner(InstructionSet::best(), row, &y, (factor, &series));
+        }
+    }
+}
+
+multiversion! {
+    /// `factor` times the polynomial with the coefficients `series`, those of the highest powers first.
+    fn horner(target: &mut [f64], y: &[f64], polynomial: (f64, &[f64])) {
+        let (factor, series) = polynomial;
+        for (slot, y) in target.iter_mut().zip(y) {
+            let mut sum = 0.0;
+            for coefficient in series {
+                sum = sum * y + coefficient;
+            }
+            *slot = factor * sum;
+        }
     }
 }
 

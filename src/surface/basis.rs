@@ -2,7 +2,7 @@
 
 use super::Functions;
 use crate::diagnostic::{Code, Diagnostic, Shortest, Span};
-use crate::eval::{Backend, Program, Samples, first_non_finite};
+use crate::eval::{Backend, JetValues, Program, Samples, first_non_finite};
 use crate::expr::{Derivative, ExprId, Graph, Notation, Variable};
 use crate::limits::Limits;
 
@@ -60,10 +60,7 @@ impl Basis {
     /// [`Code::NotDifferentiable`] for a derivative that does not exist, [`Code::LimitReached`] for one that grows too
     /// large, [`Code::DataNotFinite`] for the first value that is not finite, with its function.
     pub fn values(&self, derivative: Derivative, params: &[f64], v: &[f64], t: &[f64]) -> Result<Vec<f64>, Diagnostic> {
-        let derivative = match self.along {
-            Variable::U => Derivative::new(derivative.v, 0, derivative.t),
-            _ => Derivative { u: 0, ..derivative },
-        };
+        let derivative = self.own(derivative);
         // The functions depend on u or on v, never on both.
         let values = self.functions.values(derivative, params, Samples { u: v, v, t })?;
         match first_non_finite(&values, v.len()) {
@@ -71,6 +68,43 @@ impl Basis {
             Some((function, sample, value)) => {
                 Err(self.not_finite(derivative, function, value, (v.get(sample), t.get(sample))))
             }
+        }
+    }
+
+    /// Room for the values of several derivatives of every function, all functions of the first derivative, then of the
+    /// next; for [`Basis::evaluate`] of this basis.
+    ///
+    /// # Errors
+    /// [`Code::NotDifferentiable`] for a derivative that does not exist, [`Code::LimitReached`] for one that grows too
+    /// large.
+    pub fn jet(&self, derivatives: &[Derivative]) -> Result<JetValues, Diagnostic> {
+        let derivatives: Vec<Derivative> = derivatives.iter().map(|derivative| self.own(*derivative)).collect();
+        Ok(JetValues::new(self.functions.jet(&derivatives)?))
+    }
+
+    /// Evaluates the `derivatives` that `jet` was made for at every sample `(v, t)`.
+    ///
+    /// # Errors
+    /// [`Code::DataNotFinite`] for the first value that is not finite, with its function.
+    pub fn evaluate(
+        &self,
+        (derivatives, jet): (&[Derivative], &mut JetValues),
+        params: &[f64],
+        (v, t): (&[f64], &[f64]),
+    ) -> Result<(), Diagnostic> {
+        jet.evaluate(params, Samples { u: v, v, t })
+            .map_err(|error| Diagnostic::new(Code::SolutionNotFinite, error.to_string()))?;
+        let Some((output, sample, value)) = jet.first_non_finite() else { return Ok(()) };
+        let count = self.len().max(1);
+        let derivative = derivatives.get(output / count).copied().unwrap_or(Derivative::NONE);
+        Err(self.not_finite(derivative, output % count, value, (v.get(sample), t.get(sample))))
+    }
+
+    /// A derivative in v and t as one of the functions, which depend on u or on v.
+    fn own(&self, derivative: Derivative) -> Derivative {
+        match self.along {
+            Variable::U => Derivative::new(derivative.v, 0, derivative.t),
+            _ => Derivative { u: 0, ..derivative },
         }
     }
 

@@ -6,7 +6,7 @@ use rustc_hash::FxHashMap;
 
 use super::breaks::breaks;
 use crate::diagnostic::{Code, Diagnostic, Span};
-use crate::eval::{Backend, Evaluator, Program, Samples, compile};
+use crate::eval::{Backend, Evaluator, Jet, Program, Samples, compile};
 use crate::expr::{Derivative, ExprId, Graph};
 use crate::limits::Limits;
 
@@ -19,6 +19,7 @@ pub struct Functions {
     graph: Graph,
     functions: Vec<(ExprId, Option<Span>)>,
     compiled: Mutex<FxHashMap<Derivative, Arc<dyn Evaluator>>>,
+    jets: Mutex<Vec<(Vec<Derivative>, Arc<Jet>)>>,
     backend: Backend,
     graph_nodes: usize,
 }
@@ -30,7 +31,14 @@ impl Functions {
         let (exprs, origins): (Vec<ExprId>, Vec<Option<Span>>) = functions.iter().copied().unzip();
         let (graph, exprs) = graph.part(&exprs);
         let functions = exprs.into_iter().zip(origins).collect();
-        Functions { graph, functions, compiled: Mutex::default(), backend, graph_nodes: limits.graph_nodes }
+        Functions {
+            graph,
+            functions,
+            compiled: Mutex::default(),
+            jets: Mutex::default(),
+            backend,
+            graph_nodes: limits.graph_nodes,
+        }
     }
 
     /// The number of functions.
@@ -72,6 +80,28 @@ impl Functions {
     /// [`Code::NotDifferentiable`] for a derivative that does not exist, [`Code::LimitReached`] for one that grows too
     /// large.
     pub fn program(&self, derivatives: &[Derivative]) -> Result<Program, Diagnostic> {
+        let (graph, outputs) = self.derived(derivatives)?;
+        Ok(Program::compile(&graph, &outputs))
+    }
+
+    /// The same functions as [`Functions::program`], of which equal ones are computed once; kept for who asks next.
+    ///
+    /// # Errors
+    /// As [`Functions::program`].
+    pub fn jet(&self, derivatives: &[Derivative]) -> Result<Arc<Jet>, Diagnostic> {
+        // A panic elsewhere leaves the list whole.
+        let mut jets = self.jets.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, jet)) = jets.iter().find(|(known, _)| known == derivatives) {
+            return Ok(Arc::clone(jet));
+        }
+        let (graph, outputs) = self.derived(derivatives)?;
+        let jet = Arc::new(Jet::new(&graph, &outputs, self.backend));
+        jets.push((derivatives.to_vec(), Arc::clone(&jet)));
+        Ok(jet)
+    }
+
+    /// Some derivatives of every function: all functions of the first derivative, then of the next.
+    fn derived(&self, derivatives: &[Derivative]) -> Result<(Graph, Vec<ExprId>), Diagnostic> {
         let mut graph = self.graph.clone();
         let mut outputs = Vec::with_capacity(derivatives.len() * self.functions.len());
         for derivative in derivatives {
@@ -80,7 +110,7 @@ impl Functions {
                 outputs.push(result.map_err(|fault| fault.to_diagnostic(*derivative, self.graph_nodes).at(*origin))?);
             }
         }
-        Ok(Program::compile(&graph, &outputs))
+        Ok((graph, outputs))
     }
 
     /// The values of the coordinate the functions depend on, inside `range` at instant `t`, at which they are put together

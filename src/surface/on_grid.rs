@@ -1,19 +1,20 @@
 //! Separable surfaces on a grid: tables along u and along v, multiplied as small matrices.
 //!
 //! `S = Σ_m φ_m(u) H_m(v)` with `H_m = Σ_j C_mj F_j`, or `S = Σ_j G_j(u) F_j(v)` with `G_j = Σ_m C_mj φ_m`, whichever sum is the
-//! shorter. What does not depend on t is kept from one instant to the next: the modes at every u.
+//! shorter. What does not depend on t is kept from one instant to the next: the modes, or the G_j, at every u.
 
 use std::ops::Range;
 use std::slice::ChunksMut;
 use std::sync::Arc;
 
-use super::SeparableSurface;
-use super::separable::Term;
+use super::separable::Contraction;
 use super::validity::{check_instant, finite};
+use super::{Basis, Coefficients, SeparableSurface};
 use crate::diagnostic::Diagnostic;
+use crate::eval::JetValues;
 use crate::expr::Derivative;
-use crate::kernels::InstructionSet;
 use crate::kernels::grid::{self, Across, Along, Number, Outputs, Stores};
+use crate::kernels::{InstructionSet, Rows};
 use crate::threads;
 use crate::trial::Modes;
 
@@ -44,9 +45,29 @@ pub struct SurfaceOnGrid<'a> {
     u: &'a [f64],
     v: &'a [f64],
     set: InstructionSet,
-    /// The modes of the last surface, and their derivatives of each order asked for: a row for each u.
-    modes: Option<Arc<dyn Modes>>,
-    tables: Vec<(usize, Arc<Vec<f64>>)>,
+    /// What the tables below belong to.
+    last: Option<Last>,
+    /// The derivatives of the modes of each order asked for.
+    modes: Vec<(usize, Arc<Rows>)>,
+    /// What each derivative asked for is made of.
+    across: Vec<(Derivative, Arc<AcrossTable>)>,
+    /// Derivatives of the basis that were asked for together.
+    along: Vec<(Vec<Derivative>, JetValues)>,
+}
+
+/// The parts of a surface that tables are made from.
+struct Last {
+    modes: Arc<dyn Modes>,
+    basis: Arc<Basis>,
+    coefficients: Arc<Vec<Coefficients>>,
+}
+
+/// One derivative in u and t of the factors along u, which do not depend on t.
+struct AcrossTable {
+    contraction: Contraction,
+    /// In doubles; the modes of the outer sum, or the G_j.
+    table: Across<f64>,
+    largest: Vec<f64>,
 }
 
 /// Vertices that are worth handing to another thread.
@@ -65,17 +86,12 @@ fn cut<'a, N>(outputs: Outputs<'a, N>, size: usize) -> impl Iterator<Item = Outp
     })
 }
 
-/// The factors of one derivative.
-struct Factors<N> {
-    across: Across<N>,
-    along: Along<N>,
-}
-
 impl<'a> SurfaceOnGrid<'a> {
     /// The grid of all `u` and `v`.
     #[must_use]
     pub fn new(u: &'a [f64], v: &'a [f64]) -> Self {
-        SurfaceOnGrid { u, v, set: InstructionSet::best(), modes: None, tables: Vec::new() }
+        let (modes, across, along) = (Vec::new(), Vec::new(), Vec::new());
+        SurfaceOnGrid { u, v, set: InstructionSet::best(), last: None, modes, across, along }
     }
 
     /// The same, evaluated with other instructions; the results are the same.
@@ -98,13 +114,20 @@ impl<'a> SurfaceOnGrid<'a> {
         t: f64,
         values: &mut [[N; 3]],
     ) -> Result<(), Diagnostic> {
-        let factors = self.factors::<N>(surface, derivative, t)?;
-        let along = factors.along.interleaved();
-        let bound = grid::bound(&factors.across, &factors.along);
+        check_instant(surface.instant, t)?;
+        self.turn_to(surface);
+        let table = self.across(surface, derivative)?;
+        let (set, columns) = (self.set, self.v.len());
+        let in_time = |order: &usize| Derivative { u: 0, t: *order, ..derivative };
+        let bases: Vec<Derivative> = table.contraction.orders.iter().map(in_time).collect();
+        let along = along::<N>(set, &table.contraction, &self.functions(surface, &bases, t)?, columns);
+        let across = table.table.rounded();
+        let bound = grid::bound(&across, &table.largest, &along);
+        let along = along.interleaved();
         let stores = Stores::suited_to(size_of_val(values));
         let pieces = self.pieces().zip(values.chunks_mut(self.vertices_of_a_piece()));
         threads::map(pieces.collect(), |(rows, values)| {
-            grid::positions(self.set, stores, (&factors.across, &along), rows, values);
+            grid::positions(self.set, stores, (&across, &along), rows, values);
         });
         if bound <= N::LARGEST { Ok(()) } else { finite(values) }
     }
@@ -137,10 +160,17 @@ impl<'a> SurfaceOnGrid<'a> {
         t: f64,
         outputs: Outputs<'_, N>,
     ) -> Result<Option<f64>, Diagnostic> {
-        let values = self.factors::<N>(surface, Derivative::NONE, t)?;
-        let slopes_u = self.factors::<N>(surface, Derivative::new(1, 0, 0), t)?;
-        let slopes_v = self.factors::<N>(surface, Derivative::new(0, 1, 0), t)?;
-        let bounds = [&values, &slopes_u, &slopes_v].map(|factors| grid::bound(&factors.across, &factors.along));
+        check_instant(surface.instant, t)?;
+        self.turn_to(surface);
+        let tables = [self.across(surface, Derivative::NONE)?, self.across(surface, Derivative::new(1, 0, 0))?];
+        let [contraction, _] = [&tables[0].contraction, &tables[1].contraction];
+        let (set, columns) = (self.set, self.v.len());
+        let functions = self.functions(surface, &[Derivative::NONE, Derivative::new(0, 1, 0)], t)?;
+        let (functions, slopes) = functions.split_at_checked(surface.basis.len()).unwrap_or_default();
+        let along = [functions, slopes].map(|functions| along::<N>(set, contraction, functions, columns));
+        let across = [&tables[0], &tables[1]].map(|table| table.table.rounded::<N>());
+        let bound = |u: usize, v: usize| grid::bound(&across[u], &tables[u].largest, &along[v]);
+        let bounds = [bound(0, 0), bound(1, 0), bound(0, 1)];
         let Outputs { positions, normals, mut tangents } = outputs;
         let bytes = size_of_val(positions) * if tangents.is_some() { 4 } else { 2 };
         let outputs = Outputs {
@@ -148,8 +178,8 @@ impl<'a> SurfaceOnGrid<'a> {
             normals,
             tangents: tangents.as_mut().map(|[u, v]| [&mut **u, &mut **v]),
         };
-        let across = [&values.across, &slopes_u.across];
-        let along = [&values.along, &slopes_v.along];
+        let ([s, s_u], [f, f_v]) = (&across, &along);
+        let (across, along) = ([s, s_u], [f, f_v]);
         let stores = Stores::suited_to(bytes);
         let pieces = self.pieces().zip(cut(outputs, self.vertices_of_a_piece())).collect();
         let work = |(rows, outputs)| grid::shape(self.set, stores, (across, along), rows, outputs);
@@ -181,75 +211,121 @@ impl<'a> SurfaceOnGrid<'a> {
         (0..all).step_by(size).map(move |first| first..all.min(first + size))
     }
 
-    /// The factors of a derivative, the shorter of the two sums.
-    fn factors<N: Number>(
-        &mut self,
-        surface: &SeparableSurface,
-        derivative: Derivative,
-        t: f64,
-    ) -> Result<Factors<N>, Diagnostic> {
-        check_instant(surface.instant, t)?;
-        let (instants, columns, count) = (vec![t; self.v.len()], self.v.len(), surface.basis.len());
-        let terms = surface.terms(derivative.t)?;
-        let mut functions = Vec::with_capacity(terms.len());
-        for term in &terms {
-            let orders = Derivative { t: term.order, ..derivative };
-            functions.push(surface.basis.values(orders, &surface.params, self.v, &instants)?);
+    /// Forgets what was known about another surface.
+    fn turn_to(&mut self, surface: &SeparableSurface) {
+        let is_it = |last: &Last| {
+            Arc::ptr_eq(&last.modes, &surface.modes)
+                && Arc::ptr_eq(&last.basis, &surface.basis)
+                && Arc::ptr_eq(&last.coefficients, &surface.coefficients)
+        };
+        if self.last.as_ref().is_some_and(is_it) {
+            return;
         }
-        let modes = self.modes_of(surface, derivative.u);
-        let modes = modes.chunks_exact(surface.modes.count().max(1));
-        if surface.sums_over_modes(&terms) {
-            let rank = surface.modes.count();
-            let mut across = Across::scalars(self.u.len(), rank);
-            for (row, modes) in across.rows_mut().zip(modes) {
-                row.iter_mut().zip(modes).for_each(|(slot, mode)| *slot = N::rounded(*mode));
-            }
-            let mut along = Along::vectors(rank, columns);
-            let mut sums = [(); 3].map(|()| vec![0.0; columns]);
-            let mut rows = along.rows_mut();
-            for m in 0..rank {
-                sums.iter_mut().for_each(|sum| sum.fill(0.0));
-                for (term, functions) in terms.iter().zip(&functions) {
-                    grid::combine(self.set, term.rows.get(m).map_or(&[], Vec::as_slice), functions, &mut sums);
-                }
-                // In this order: the other takes a row too many.
-                for (sum, row) in sums.iter().zip(rows.by_ref()) {
-                    row.iter_mut().zip(sum).for_each(|(slot, sum)| *slot = N::rounded(*sum));
-                }
-            }
-            drop(rows);
-            return Ok(Factors { across, along });
+        // A fit has other coefficients at each instant, of the same modes and basis.
+        self.across.clear();
+        if !self.last.as_ref().is_some_and(|last| Arc::ptr_eq(&last.modes, &surface.modes)) {
+            self.modes.clear();
         }
-        let rank = count * terms.len();
-        let mut across = Across::vectors(self.u.len(), rank);
-        let mut amplitudes = vec![[0.0; 3]; count];
-        for (row, modes) in across.rows_mut().zip(modes) {
-            let mut slots = row.iter_mut();
-            for term in &terms {
-                amplitudes.fill([0.0; 3]);
-                Term::add_amplitudes(term, modes, &mut amplitudes);
-                amplitudes.iter().flatten().zip(slots.by_ref()).for_each(|(x, slot)| *slot = N::rounded(*x));
-            }
+        if !self.last.as_ref().is_some_and(|last| Arc::ptr_eq(&last.basis, &surface.basis)) {
+            self.along.clear();
         }
-        let mut along = Along::scalars(rank, columns);
-        let functions = functions.iter().flat_map(|functions| functions.chunks(columns.max(1)));
-        for (row, function) in along.rows_mut().zip(functions) {
-            row.iter_mut().zip(function).for_each(|(slot, value)| *slot = N::rounded(*value));
-        }
-        Ok(Factors { across, along })
+        let SeparableSurface { modes, basis, coefficients, .. } = surface;
+        self.last = Some(Last { modes: modes.clone(), basis: basis.clone(), coefficients: coefficients.clone() });
     }
 
-    /// The derivatives of order `order` of the modes, a row for each u.
-    fn modes_of(&mut self, surface: &SeparableSurface, order: usize) -> Arc<Vec<f64>> {
-        if !self.modes.as_ref().is_some_and(|modes| Arc::ptr_eq(modes, &surface.modes)) {
-            self.modes = Some(Arc::clone(&surface.modes));
-            self.tables.clear();
+    /// The factors along u of a derivative in u and t of the surface that was turned to.
+    fn across(&mut self, surface: &SeparableSurface, derivative: Derivative) -> Result<Arc<AcrossTable>, Diagnostic> {
+        let derivative = Derivative { v: 0, ..derivative };
+        if let Some((_, table)) = self.across.iter().find(|(known, _)| *known == derivative) {
+            return Ok(Arc::clone(table));
         }
-        if let Some((_, table)) = self.tables.iter().find(|(known, _)| *known == order) {
+        let contraction = surface.contraction(derivative.t)?;
+        let modes = self.modes_of(surface, derivative.u);
+        let table = Arc::new(AcrossTable::new(self.set, contraction, surface.basis.len(), &modes));
+        self.across.push((derivative, Arc::clone(&table)));
+        Ok(table)
+    }
+
+    /// The derivatives of order `order` of the modes, a row for each mode.
+    fn modes_of(&mut self, surface: &SeparableSurface, order: usize) -> Arc<Rows> {
+        if let Some((_, table)) = self.modes.iter().find(|(known, _)| *known == order) {
             return Arc::clone(table);
         }
-        let table = Arc::new(self.u.iter().flat_map(|u| surface.modes.derivatives(order, *u)).collect());
-        self.tables.push((order, Arc::clone(&table)));
+        let mut tables = Vec::new();
+        surface.modes.tabulate(&[order], self.u, &mut tables);
+        let table = Arc::new(tables.pop().unwrap_or_default());
+        self.modes.push((order, Arc::clone(&table)));
         table
     }
+
+    /// Derivatives of the basis at every v: a row for each function of the first derivative, then of the next.
+    fn functions(
+        &mut self,
+        surface: &SeparableSurface,
+        derivatives: &[Derivative],
+        t: f64,
+    ) -> Result<Vec<&[f64]>, Diagnostic> {
+        let known = self.along.iter().position(|(known, _)| known == derivatives);
+        let index = match known {
+            Some(index) => index,
+            None => {
+                self.along.push((derivatives.to_vec(), surface.basis.jet(derivatives)?));
+                self.along.len() - 1
+            }
+        };
+        let Some((_, jet)) = self.along.get_mut(index) else { return Ok(Vec::new()) };
+        surface.basis.evaluate((derivatives, jet), &surface.params, (self.v, &vec![t; self.v.len()]))?;
+        let jet = &*jet;
+        Ok((0..derivatives.len() * surface.basis.len()).map(move |output| jet.row(output)).collect())
+    }
+}
+
+impl AcrossTable {
+    /// From `modes`, a row for each.
+    fn new(set: InstructionSet, contraction: Contraction, functions: usize, modes: &Rows) -> AcrossTable {
+        let (rows, combination) = (modes.length(), &contraction.combination);
+        let mut table = if contraction.over_modes {
+            Across::scalars(rows, modes.count())
+        } else {
+            let parts = [0, 1, 2].map(|component| combination.rows_of(component).collect());
+            Across::vectors(rows, functions * contraction.orders.len(), parts)
+        };
+        let mut columns: Vec<Vec<f64>> = Vec::with_capacity(table.width());
+        if contraction.over_modes {
+            columns.extend(modes.iter().map(<[f64]>::to_vec));
+        } else {
+            let modes: Vec<&[f64]> = modes.iter().collect();
+            for (component, part) in table.parts().iter().enumerate() {
+                for function in part {
+                    let mut column = vec![0.0; rows];
+                    grid::combine(set, combination.entries(*function, component), &modes, &mut column);
+                    columns.push(column);
+                }
+            }
+        }
+        for (i, row) in table.rows_mut().enumerate() {
+            row.iter_mut().zip(&columns).for_each(|(slot, column)| *slot = column.get(i).copied().unwrap_or(f64::NAN));
+        }
+        let largest = table.largest();
+        AcrossTable { contraction, table, largest }
+    }
+}
+
+/// The factors along v of a sum, from the rows of its functions.
+fn along<N: Number>(set: InstructionSet, contraction: &Contraction, functions: &[&[f64]], columns: usize) -> Along<N> {
+    let combination = &contraction.combination;
+    if !contraction.over_modes {
+        let mut along = Along::scalars(functions.len(), columns);
+        for (row, function) in along.rows_mut().zip(functions) {
+            row.iter_mut().zip(*function).for_each(|(slot, value)| *slot = N::rounded(*value));
+        }
+        return along;
+    }
+    let mut along = Along::vectors(combination.rows(), columns);
+    let mut sum = vec![0.0; columns];
+    for (index, row) in along.rows_mut().enumerate() {
+        grid::combine(set, combination.entries(index / 3, index % 3), functions, &mut sum);
+        row.iter_mut().zip(&sum).for_each(|(slot, sum)| *slot = N::rounded(*sum));
+    }
+    along
 }

@@ -2,16 +2,19 @@
 //!
 //! For each point the same sums in the same order as on a grid (`on_grid`), so that both give the same bits.
 
+use std::ops::Range;
+
 use super::SeparableSurface;
-use super::separable::Term;
+use super::separable::Contraction;
 use super::validity::finite;
 use crate::diagnostic::Diagnostic;
+use crate::eval::JetValues;
 use crate::expr::Derivative;
-use crate::kernels::grid::{Combination, contract};
+use crate::kernels::grid::contract;
 use crate::kernels::{InstructionSet, Rows};
 
-/// Points treated together: the rows of basis and modes stay in the second-level cache.
-const BLOCK: usize = 512;
+/// Points treated together: the rows of basis, modes and sums stay in the second-level cache.
+const BLOCK: usize = 256;
 
 /// Writes each of `derivatives` at every point.
 pub(super) fn evaluate(
@@ -21,16 +24,14 @@ pub(super) fn evaluate(
     values: &mut [&mut [[f64; 3]]],
 ) -> Result<(), Diagnostic> {
     let plan = Plan::new(surface, derivatives)?;
-    let mut work = Work::default();
+    let mut work = Work::new(surface, &plan)?;
     for (block, points) in points.chunks(BLOCK).enumerate() {
         let from = block * BLOCK;
         plan.block(surface, points, &mut work)?;
-        for (sums, values) in work.sums.iter().zip(values.iter_mut()) {
+        for (place, values) in values.iter_mut().enumerate() {
             let values = values.get_mut(from..).and_then(|rest| rest.get_mut(..points.len())).unwrap_or_default();
-            let mut rows = sums.iter();
-            let (x, y, z) = (rows.next(), rows.next(), rows.next());
-            let xyz = x.unwrap_or_default().iter().zip(y.unwrap_or_default()).zip(z.unwrap_or_default());
-            for (value, ((x, y), z)) in values.iter_mut().zip(xyz) {
+            let [x, y, z] = [0, 1, 2].map(|component| work.sums.row(3 * place + component));
+            for (value, ((x, y), z)) in values.iter_mut().zip(x.iter().zip(y).zip(z)) {
                 *value = [*x, *y, *z];
             }
             finite(values)?;
@@ -41,94 +42,89 @@ pub(super) fn evaluate(
 
 /// What the requested derivatives have in common.
 struct Plan {
-    set: InstructionSet,
     /// The orders in u that are needed.
     orders: Vec<usize>,
     /// The derivatives of the basis that are needed.
     bases: Vec<Derivative>,
-    /// For each derivative: which order, which bases (one for each term), which terms.
-    parts: Vec<Part>,
+    groups: Vec<Group>,
+    /// The number of derivatives.
+    count: usize,
 }
 
-struct Part {
-    order: usize,
+/// Derivatives of the same functions of v and t, which differ in their order in u.
+struct Group {
+    contraction: Contraction,
+    /// Which of the plan's bases stand for the contraction's orders in t.
     bases: Vec<usize>,
-    combination: Combination,
-    over_modes: bool,
+    /// Of each derivative, its place among those requested and its place in the plan's orders.
+    members: Vec<(usize, usize)>,
 }
 
 /// Buffers of one block.
-#[derive(Default)]
 struct Work {
     modes: Vec<Rows>,
-    bases: Vec<Vec<f64>>,
+    bases: JetValues,
     /// For each derivative the rows of x, y and z.
-    sums: Vec<Rows>,
+    sums: Rows,
+}
+
+impl Work {
+    fn new(surface: &SeparableSurface, plan: &Plan) -> Result<Work, Diagnostic> {
+        Ok(Work { modes: Vec::new(), bases: surface.basis.jet(&plan.bases)?, sums: Rows::default() })
+    }
 }
 
 impl Plan {
     fn new(surface: &SeparableSurface, derivatives: &[Derivative]) -> Result<Plan, Diagnostic> {
-        let mut plan = Plan { set: InstructionSet::best(), orders: Vec::new(), bases: Vec::new(), parts: Vec::new() };
-        for derivative in derivatives {
-            let terms = surface.terms(derivative.t)?;
-            let over_modes = surface.sums_over_modes(&terms);
+        let (orders, bases, groups) = (Vec::new(), Vec::new(), Vec::new());
+        let mut plan = Plan { orders, bases, groups, count: derivatives.len() };
+        let mut known: Vec<Derivative> = Vec::new();
+        for (place, derivative) in derivatives.iter().enumerate() {
             let order = index_of(&mut plan.orders, derivative.u);
-            let along = |term: &Term| Derivative { u: 0, t: term.order, ..*derivative };
-            let bases = terms.iter().map(|term| index_of(&mut plan.bases, along(term))).collect();
-            let combination = combination(&terms, surface.basis.len(), over_modes);
-            plan.parts.push(Part { order, bases, combination, over_modes });
+            let group = index_of(&mut known, Derivative { u: 0, ..*derivative });
+            if group == plan.groups.len() {
+                let contraction = surface.contraction(derivative.t)?;
+                let along = |order: &usize| Derivative { u: 0, t: *order, ..*derivative };
+                let bases = contraction.orders.iter().map(|order| index_of(&mut plan.bases, along(order))).collect();
+                plan.groups.push(Group { contraction, bases, members: Vec::new() });
+            }
+            if let Some(group) = plan.groups.get_mut(group) {
+                group.members.push((place, order));
+            }
         }
         Ok(plan)
     }
 
     fn block(&self, surface: &SeparableSurface, points: &[[f64; 3]], work: &mut Work) -> Result<(), Diagnostic> {
-        let length = points.len();
         let column = |axis: usize| points.iter().filter_map(|point| point.get(axis).copied()).collect::<Vec<f64>>();
         let [u, v, t] = [column(0), column(1), column(2)];
-        work.bases.clear();
-        for derivative in &self.bases {
-            work.bases.push(surface.basis.values(*derivative, &surface.params, &v, &t)?);
-        }
-        work.modes.clear();
-        for order in &self.orders {
-            let mut rows = Rows::zeros(surface.modes.count(), length);
-            surface.modes.tabulate(*order, &u, &mut rows);
-            work.modes.push(rows);
-        }
-        work.sums.clear();
-        for part in &self.parts {
-            let mut sums = Rows::zeros(3, length);
-            let modes: Vec<&[f64]> = work.modes.get(part.order).into_iter().flat_map(Rows::iter).collect();
-            let bases = part.bases.iter().filter_map(|basis| work.bases.get(*basis));
-            let bases: Vec<&[f64]> = bases.flat_map(|basis| basis.chunks(length.max(1))).collect();
-            let (inner, outer) = if part.over_modes { (&bases, &modes) } else { (&modes, &bases) };
-            let mut targets = sums.iter_mut();
-            if let (Some(x), Some(y), Some(z)) = (targets.next(), targets.next(), targets.next()) {
-                contract(self.set, &part.combination, inner, outer, [x, y, z]);
+        surface.basis.evaluate((&self.bases, &mut work.bases), &surface.params, (&v, &t))?;
+        surface.modes.tabulate(&self.orders, &u, &mut work.modes);
+        work.sums.reshape(3 * self.count, points.len());
+        let mut sums: Vec<&mut [f64]> = work.sums.iter_mut().collect();
+        for group in &self.groups {
+            let functions = surface.basis.len();
+            let of = |basis: &usize| -> Range<usize> { basis * functions..(basis + 1) * functions };
+            let bases: Vec<&[f64]> = group.bases.iter().flat_map(of).map(|output| work.bases.row(output)).collect();
+            let modes = |order: usize| work.modes.get(order).into_iter().flat_map(Rows::iter).collect::<Vec<&[f64]>>();
+            let mut target = |place: &usize| {
+                let mut row = |component| sums.get_mut(3 * place + component).map(std::mem::take).unwrap_or_default();
+                [row(0), row(1), row(2)]
+            };
+            let mut targets: Vec<[&mut [f64]; 3]> = group.members.iter().map(|(place, _)| target(place)).collect();
+            let Contraction { over_modes, combination, .. } = &group.contraction;
+            let set = InstructionSet::best();
+            if *over_modes {
+                let outers: Vec<Vec<&[f64]>> = group.members.iter().map(|(_, order)| modes(*order)).collect();
+                contract(set, combination, &bases, &outers, &mut targets);
+                continue;
             }
-            drop(targets);
-            work.sums.push(sums);
+            for ((_, order), target) in group.members.iter().zip(&mut targets) {
+                contract(set, combination, &modes(*order), std::slice::from_ref(&bases), std::slice::from_mut(target));
+            }
         }
         Ok(())
     }
-}
-
-/// For each row of the outer sum the rows of the inner one and their coefficients.
-fn combination(terms: &[Term], basis: usize, over_modes: bool) -> Combination {
-    let modes = terms.iter().map(|term| term.rows.len()).max().unwrap_or(0);
-    let mut rows = vec![Vec::new(); if over_modes { modes } else { terms.len() * basis }];
-    for (number, term) in terms.iter().enumerate() {
-        for (m, row) in term.rows.iter().enumerate() {
-            for (j, coefficient) in row {
-                let function = number * basis + j;
-                let (outer, inner) = if over_modes { (m, function) } else { (function, m) };
-                if let Some(row) = rows.get_mut(outer) {
-                    row.push((inner, *coefficient));
-                }
-            }
-        }
-    }
-    rows
 }
 
 /// The index of `item`, which is added if it is not there.

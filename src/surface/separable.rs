@@ -6,6 +6,7 @@ use super::validity::{check_instant, unknown_in_time};
 use super::{Basis, GridShape, Surface, SurfaceOnGrid, scattered};
 use crate::diagnostic::Diagnostic;
 use crate::expr::Derivative;
+use crate::kernels::grid::Combination;
 use crate::trial::Modes;
 
 /// Vector coefficients, mode after mode: that of mode m and basis function j is at `m * basis.len() + j`.
@@ -21,7 +22,7 @@ pub struct SeparableSurface {
     pub params: Vec<f64>,
     /// The coefficients C, then their derivatives in time, as far as they are known; all further ones are zero
     /// if the coefficients hold for every t.
-    pub coefficients: Vec<Coefficients>,
+    pub coefficients: Arc<Vec<Coefficients>>,
     /// The only instant at which the coefficients hold; `None` if they hold for every t.
     pub instant: Option<f64>,
 }
@@ -30,69 +31,72 @@ impl SeparableSurface {
     /// The derivative of order `order` in u of every G_j, so that `S = Σ_j G_j(u) F_j(v, t)`.
     #[must_use]
     pub fn amplitudes(&self, order: usize, u: f64) -> Vec<[f64; 3]> {
+        let modes = self.modes.derivatives(order, u);
         let mut amplitudes = vec![[0.0; 3]; self.basis.len()];
-        if let Some(coefficients) = self.coefficients.first() {
-            let term = Term::new(coefficients, 1.0, 0, self.basis.len());
-            term.add_amplitudes(&self.modes.derivatives(order, u), &mut amplitudes);
+        let rows = self.coefficients.iter().take(1).flat_map(|first| first.chunks(self.basis.len().max(1)));
+        for (mode, row) in modes.iter().zip(rows) {
+            for (amplitude, coefficient) in amplitudes.iter_mut().zip(row) {
+                for (sum, component) in amplitude.iter_mut().zip(coefficient) {
+                    *sum += mode * component;
+                }
+            }
         }
         amplitudes
     }
 
-    /// The coefficients that are not zero, of what a derivative of order `order` in t consists of: for each derivative
-    /// of the coefficients in time, with its binomial factor, the order that is left for the basis.
+    /// What a derivative of order `order` in t consists of.
     ///
     /// # Errors
     /// When the coefficients' derivatives are not known.
-    pub(super) fn terms(&self, order: usize) -> Result<Vec<Term>, Diagnostic> {
-        let mut terms = Vec::new();
+    pub(super) fn contraction(&self, order: usize) -> Result<Contraction, Diagnostic> {
+        let (mut orders, mut terms, count) = (Vec::new(), Vec::new(), self.basis.len());
         let mut binomial = 1.0;
         for s in 0..=order {
             match self.coefficients.get(s) {
-                Some(coefficients) => terms.push(Term::new(coefficients, binomial, order - s, self.basis.len())),
+                Some(coefficients) => {
+                    for (index, coefficient) in coefficients.iter().enumerate() {
+                        let (mode, function) = (index / count.max(1), orders.len() * count + index % count.max(1));
+                        let scaled = coefficient.iter().map(|component| binomial * component);
+                        terms.extend(scaled.enumerate().map(|(component, value)| (mode, component, function, value)));
+                    }
+                    orders.push(order - s);
+                }
                 None if self.instant.is_none() => {}
                 None => return Err(unknown_in_time(order)),
             }
             binomial = binomial * (order - s) as f64 / (s + 1) as f64;
         }
-        Ok(terms)
-    }
-
-    /// Whether there are fewer modes than basis functions, so that `Σ_m φ_m(u) H_m(v, t)` is shorter than
-    /// `Σ_j G_j(u) F_j(v, t)`.
-    ///
-    /// Points and grids choose alike, and so get the same bits.
-    pub(super) fn sums_over_modes(&self, terms: &[Term]) -> bool {
-        self.modes.count() < self.basis.len() * terms.len()
+        Ok(Contraction::new(orders, (self.modes.count(), count), terms))
     }
 }
 
-/// What one derivative of the coefficients in time contributes.
-pub(super) struct Term {
-    /// The order in t that is left for the basis.
-    pub order: usize,
-    /// For each mode, basis functions and their coefficients: of N wave numbers, each with its own modes, one in N is
-    /// not zero.
-    pub rows: Vec<Vec<(usize, [f64; 3])>>,
+/// One derivative in t as a sum of products of modes and basis functions.
+///
+/// Either `Σ_m φ_m(u) H_m(v, t)` with `H_m = Σ_j C_mj F_j`, or `Σ_j G_j(u) F_j(v, t)` with `G_j = Σ_m C_mj φ_m`, whichever
+/// is the shorter sum. Points and grids choose alike, and so get the same bits.
+pub(super) struct Contraction {
+    /// For each derivative of the coefficients in time the order in t that is left for the basis; functions count on
+    /// from one to the next.
+    pub orders: Vec<usize>,
+    /// Whether the outer sum is that over the modes.
+    pub over_modes: bool,
+    /// The coefficients, with a row for each term of the outer sum.
+    pub combination: Combination,
 }
 
-impl Term {
-    fn new(coefficients: &Coefficients, factor: f64, order: usize, basis: usize) -> Term {
-        let row = |row: &[[f64; 3]]| {
-            let scaled = row.iter().map(|coefficient| coefficient.map(|x| factor * x)).enumerate();
-            scaled.filter(|(_, coefficient)| *coefficient != [0.0; 3]).collect()
-        };
-        Term { order, rows: coefficients.chunks(basis.max(1)).map(row).collect() }
-    }
-
-    /// `G_j(u) = Σ_m φ_m(u) C_mj` for every j, from the values of the modes: added to zeros.
-    pub(super) fn add_amplitudes(&self, modes: &[f64], amplitudes: &mut [[f64; 3]]) {
-        for (mode, row) in modes.iter().zip(&self.rows) {
-            for (j, coefficient) in row {
-                if let Some(sum) = amplitudes.get_mut(*j) {
-                    add_scaled(sum, *mode, coefficient);
-                }
-            }
-        }
+impl Contraction {
+    /// From terms of mode, component, function and coefficient, in ascending order of modes for each function.
+    fn new(orders: Vec<usize>, (modes, functions): (usize, usize), mut terms: Vec<(usize, usize, usize, f64)>) -> Self {
+        terms.retain(|(.., coefficient)| *coefficient != 0.0);
+        let functions = functions * orders.len();
+        let by_function: Vec<_> =
+            terms.iter().map(|(mode, component, function, value)| (*function, *component, *mode, *value)).collect();
+        let over_functions = Combination::new(functions, &by_function);
+        // A component of a vector that is zero for every u is no term of the sum.
+        let products: usize = (0..3).map(|component| over_functions.rows_of(component).count()).sum();
+        let over_modes = 3 * modes < products;
+        let combination = if over_modes { Combination::new(modes, &terms) } else { over_functions };
+        Contraction { orders, over_modes, combination }
     }
 }
 
@@ -130,13 +134,5 @@ impl Surface for SeparableSurface {
 
     fn shape(&self, (u, v, t): (&[f64], &[f64], f64)) -> Result<GridShape, Diagnostic> {
         SurfaceOnGrid::new(u, v).shape(self, t)
-    }
-}
-
-/// `total + factor * vector`, each rounded once, as the kernels do.
-#[inline(always)]
-fn add_scaled(total: &mut [f64; 3], factor: f64, vector: &[f64; 3]) {
-    for (sum, component) in total.iter_mut().zip(vector) {
-        *sum = factor.mul_add(*component, *sum);
     }
 }

@@ -6,6 +6,7 @@
 //! derivative, expanding the highest derivative loses them in S where layers are thin.
 
 use super::TrialFamily;
+use crate::kernels::{InstructionSet, Rows, multiversion};
 
 /// Integrals of Legendre polynomials of degree n/2 and up.
 #[derive(Debug, Clone)]
@@ -105,6 +106,79 @@ impl TrialFamily for IntegratedLegendre {
         }
         all
     }
+
+    fn tabulate(&self, orders: &[usize], u: &[f64], range: [f64; 2], tables: &mut [Vec<&mut [f64]>]) {
+        let set = InstructionSet::best();
+        let x: Vec<f64> = u.iter().map(|u| scaled(*u, range).0).collect();
+        let (_, slope) = scaled(range[0], range);
+        let count = tables.iter().map(Vec::len).max().unwrap_or(0);
+        let mut values = Rows::zeros(self.degrees(count), x.len());
+        recur(set, &mut values.iter_mut().collect::<Vec<_>>(), &x);
+        let mut differentiated = 0;
+        let mut ascending: Vec<(usize, &mut Vec<&mut [f64]>)> = orders.iter().copied().zip(tables).collect();
+        ascending.sort_by_key(|(order, _)| *order);
+        for (order, rows) in ascending {
+            while differentiated < order.saturating_sub(self.integrations()) {
+                let mut slopes = Rows::zeros(values.count(), values.length());
+                differentiate(set, &mut slopes.iter_mut().collect::<Vec<_>>(), &values);
+                values = slopes;
+                differentiated += 1;
+            }
+            let (factor, series) = self.series(order, slope);
+            for (row, terms) in rows.iter_mut().zip(series) {
+                sum(set, row, &values, (factor, terms));
+            }
+        }
+    }
+}
+
+multiversion! {
+    /// The Legendre polynomials L_0, L_1, … at every x, a row for each.
+    fn recur(rows: &mut [&mut [f64]], x: &[f64]) {
+        for k in 0..rows.len() {
+            let (known, rest) = rows.split_at_mut(k);
+            let Some(row) = rest.first_mut() else { continue };
+            match (known.last(), k.checked_sub(2).and_then(|two| known.get(two))) {
+                (Some(one), Some(two)) => {
+                    let lanes = row.iter_mut().zip(x).zip(one.iter().zip(two.iter()));
+                    for ((slot, x), (one, two)) in lanes {
+                        *slot = ((2 * k - 1) as f64 * x * one - (k - 1) as f64 * two) / k as f64;
+                    }
+                }
+                (Some(_), None) => row.copy_from_slice(x),
+                _ => row.fill(1.0),
+            }
+        }
+    }
+}
+
+multiversion! {
+    /// The derivatives of L_0, L_1, … given their values, as [`slopes`] has them.
+    fn differentiate(slopes: &mut [&mut [f64]], values: &Rows) {
+        for k in 0..slopes.len() {
+            let (known, rest) = slopes.split_at_mut(k);
+            let Some(row) = rest.first_mut() else { continue };
+            match k.checked_sub(2).and_then(|two| known.get(two)) {
+                Some(below) => row.copy_from_slice(below),
+                None => row.fill(0.0),
+            }
+            let Some(one) = k.checked_sub(1) else { continue };
+            let factor = (2 * one + 1) as f64;
+            row.iter_mut().zip(values.row(one)).for_each(|(slot, value)| *slot += factor * value);
+        }
+    }
+}
+
+multiversion! {
+    /// `factor` times the sum of shares of the rows.
+    fn sum(target: &mut [f64], rows: &Rows, scaled: (f64, &[(usize, f64)])) {
+        let (factor, terms) = scaled;
+        target.fill(0.0);
+        for (degree, share) in terms {
+            target.iter_mut().zip(rows.row(*degree)).for_each(|(slot, value)| *slot += share * value);
+        }
+        target.iter_mut().for_each(|slot| *slot *= factor);
+    }
 }
 
 /// x from -1 to 1, and dx/du.
@@ -121,16 +195,21 @@ impl IntegratedLegendre {
     }
 
     /// The derivatives of order `order` of φ_1 … φ_count, given as many derivatives of the Legendre polynomials as no
-    /// integration undoes. φ_k is scaled so that its derivative of order n/2 in u is the polynomial itself.
+    /// integration undoes.
     fn of_order(&self, count: usize, order: usize, values: &[f64], slope: f64) -> Vec<f64> {
-        let most = self.integrations();
-        let (integrations, differentiations) = (most.saturating_sub(order), order.saturating_sub(most));
-        let exponent = i32::try_from(differentiations).unwrap_or(i32::MAX) - i32::try_from(integrations).unwrap_or(0);
-        let factor = slope.powi(exponent);
-        let series = self.integrals.get(integrations).into_iter().flatten().take(count);
+        let (factor, series) = self.series(order, slope);
         let sum = |terms: &Vec<(usize, f64)>| -> f64 {
             terms.iter().map(|(degree, share)| share * values.get(*degree).copied().unwrap_or(0.0)).sum()
         };
-        series.map(|terms| factor * sum(terms)).collect()
+        series.iter().take(count).map(|terms| factor * sum(terms)).collect()
+    }
+
+    /// The derivative of order `order` of each φ_k as a factor and shares of the derivatives of the Legendre polynomials
+    /// that no integration undoes. φ_k is scaled so that its derivative of order n/2 in u is the polynomial itself.
+    fn series(&self, order: usize, slope: f64) -> (f64, &[Vec<(usize, f64)>]) {
+        let most = self.integrations();
+        let (integrations, differentiations) = (most.saturating_sub(order), order.saturating_sub(most));
+        let exponent = i32::try_from(differentiations).unwrap_or(i32::MAX) - i32::try_from(integrations).unwrap_or(0);
+        (slope.powi(exponent), self.integrals.get(integrations).map_or(&[], Vec::as_slice))
     }
 }

@@ -19,7 +19,7 @@ pub use sine::Sine;
 use std::fmt::Debug;
 use std::sync::Arc;
 
-use crate::kernels::Rows;
+use crate::kernels::{InstructionSet, Rows, multiversion};
 use crate::numeric::CardinalPolynomials;
 
 /// Functions φ_1, φ_2, … of u with all their derivatives.
@@ -33,6 +33,26 @@ pub trait TrialFamily: Debug + Send + Sync {
     /// The derivatives of every order up to `order`, one list for each: what several orders need is computed once.
     fn derivatives_up_to(&self, count: usize, order: usize, u: f64, range: [f64; 2]) -> Vec<Vec<f64>> {
         (0..=order).map(|order| self.derivatives(count, order, u, range)).collect()
+    }
+
+    /// The derivatives of each of `orders` at many `u`: for each order a row for each function, as long as `u`. The same
+    /// bits as those of [`TrialFamily::derivatives`].
+    fn tabulate(&self, orders: &[usize], u: &[f64], range: [f64; 2], tables: &mut [Vec<&mut [f64]>]) {
+        for (order, rows) in orders.iter().zip(tables) {
+            for (index, u) in u.iter().enumerate() {
+                let values = self.derivatives(rows.len(), *order, *u, range);
+                write_column(rows, index, values);
+            }
+        }
+    }
+}
+
+/// Writes number `index` of each row.
+fn write_column(rows: &mut [&mut [f64]], index: usize, values: Vec<f64>) {
+    for (row, value) in rows.iter_mut().zip(values) {
+        if let Some(slot) = row.get_mut(index) {
+            *slot = value;
+        }
     }
 }
 
@@ -50,16 +70,22 @@ pub trait Modes: Debug + Send + Sync {
     /// The derivatives of order `order` of every function at `u`.
     fn derivatives(&self, order: usize, u: f64) -> Vec<f64>;
 
-    /// The same at many `u`, a row for each function: the same bits.
-    fn tabulate(&self, order: usize, u: &[f64], rows: &mut Rows) {
-        for (index, u) in u.iter().enumerate() {
-            for (row, value) in rows.iter_mut().zip(self.derivatives(order, *u)) {
-                if let Some(slot) = row.get_mut(index) {
-                    *slot = value;
-                }
+    /// The derivatives of each of `orders` at many `u`, a table for each order, in it a row for each function: the same bits.
+    fn tabulate(&self, orders: &[usize], u: &[f64], tables: &mut Vec<Rows>) {
+        for (order, rows) in orders.iter().zip(shaped(tables, orders.len(), (self.count(), u.len()))) {
+            let mut rows: Vec<&mut [f64]> = rows.iter_mut().collect();
+            for (index, u) in u.iter().enumerate() {
+                write_column(&mut rows, index, self.derivatives(*order, *u));
             }
         }
     }
+}
+
+/// As many tables as are asked for, each of so many rows of such a length.
+fn shaped(tables: &mut Vec<Rows>, count: usize, (rows, length): (usize, usize)) -> &mut [Rows] {
+    tables.resize_with(count, Rows::default);
+    tables.iter_mut().for_each(|table| table.reshape(rows, length));
+    tables
 }
 
 /// The usual modes: ξ_1 … ξ_n, then ζ_1 … ζ_K.
@@ -127,6 +153,34 @@ impl Modes for CorrectedTrial {
         let raw = self.family.derivatives(self.count, order, u, self.range);
         self.corrected(self.cardinal.derivatives(order, u), &raw)
     }
+
+    fn tabulate(&self, orders: &[usize], u: &[f64], tables: &mut Vec<Rows>) {
+        let tables = shaped(tables, orders.len(), (self.count(), u.len()));
+        let rows = |table| Rows::iter_mut(table).collect::<Vec<&mut [f64]>>();
+        let mut cardinal: Vec<Vec<&mut [f64]>> = tables.iter_mut().map(rows).collect();
+        let mut trial: Vec<_> = cardinal.iter_mut().map(|rows| rows.split_off(self.cardinal.len())).collect();
+        self.family.tabulate(orders, u, self.range, &mut trial);
+        let set = InstructionSet::best();
+        for ((order, cardinal), trial) in orders.iter().zip(&mut cardinal).zip(&mut trial) {
+            self.cardinal.tabulate(*order, u, cardinal);
+            for (row, at_boundary) in trial.iter_mut().zip(&self.boundary_values) {
+                correct(set, row, cardinal, at_boundary);
+            }
+        }
+    }
+}
+
+multiversion! {
+    /// Subtracts from a function what the boundary sees of it: its values there times the cardinal functions.
+    fn correct(row: &mut [f64], cardinal: &[&mut [f64]], at_boundary: &[f64]) {
+        for (index, value) in row.iter_mut().enumerate() {
+            let mut correction = 0.0;
+            for (factor, cardinal) in at_boundary.iter().zip(cardinal) {
+                correction += factor * cardinal.get(index).copied().unwrap_or(0.0);
+            }
+            *value -= correction;
+        }
+    }
 }
 
 #[cfg(test)]
@@ -182,6 +236,27 @@ mod tests {
             for u in [0.0, 0.7, 2.0] {
                 let each: Vec<Vec<f64>> = (0..=6).map(|order| trial.derivatives(order, u)).collect();
                 assert_eq!(trial.derivatives_up_to(6, u), each);
+            }
+        }
+    }
+
+    #[test]
+    fn tables_have_the_bits_of_single_values() {
+        let functionals = [(-0.5, 0), (-0.5, 1), (2.0, 0), (2.0, 1)];
+        let u: Vec<f64> = (0..23).map(|i| -0.5 + 2.5 * f64::from(i) / 22.0).collect();
+        let mut modes: Vec<Arc<dyn Modes>> = Vec::new();
+        for family in families(4, 5) {
+            modes.push(Arc::new(CorrectedTrial::new(family, 5, [-0.5, 2.0], &functionals).expect("independent")));
+        }
+        modes.push(Arc::new(CardinalExponentials::new(3.0, [-0.5, 2.0], &functionals).expect("independent")));
+        for modes in modes {
+            let (orders, mut tables) = ([0, 1, 4, 2], Vec::new());
+            modes.tabulate(&orders, &u, &mut tables);
+            for (order, table) in orders.iter().zip(&tables) {
+                for (index, u) in u.iter().enumerate() {
+                    let found: Vec<f64> = table.iter().map(|row| row[index]).collect();
+                    assert_eq!(found, modes.derivatives(*order, *u), "{modes:?} {order} {u}");
+                }
             }
         }
     }

@@ -2,69 +2,148 @@
 
 use crate::kernels::multiversion;
 
-/// For each row of an outer sum, rows of the inner one and their vector coefficients: those that are not zero.
-pub type Combination = Vec<Vec<(usize, [f64; 3])>>;
+/// The coefficients that are not zero: for each row of an outer sum and each of x, y and z, rows of the inner sum.
+#[derive(Debug, Clone, Default)]
+pub struct Combination {
+    /// Where the entries of each row and component begin, and where the last ends.
+    starts: Vec<usize>,
+    entries: Vec<(usize, f64)>,
+}
+
+impl Combination {
+    /// `rows` rows of an outer sum, with `terms` of row, component, row of the inner sum and coefficient. Those of one row
+    /// and component are added in the order in which they are given; zeros are left out.
+    #[must_use]
+    pub fn new(rows: usize, terms: &[(usize, usize, usize, f64)]) -> Combination {
+        let is_term = |(_, _, _, coefficient): &&(usize, usize, usize, f64)| *coefficient != 0.0;
+        let place = |row: usize, component: usize| 3 * row + component;
+        let mut starts = vec![0; 3 * rows + 1];
+        for (row, component, ..) in terms.iter().filter(is_term) {
+            if let Some(count) = starts.get_mut(place(*row, *component) + 1) {
+                *count += 1;
+            }
+        }
+        let mut sum = 0;
+        for start in &mut starts {
+            sum += *start;
+            *start = sum;
+        }
+        let (mut next, mut entries) = (starts.clone(), vec![(0, 0.0); sum]);
+        for (row, component, inner, coefficient) in terms.iter().filter(is_term) {
+            if let Some(at) = next.get_mut(place(*row, *component))
+                && let Some(entry) = entries.get_mut(*at)
+            {
+                *entry = (*inner, *coefficient);
+                *at += 1;
+            }
+        }
+        Combination { starts, entries }
+    }
+
+    /// The number of rows of the outer sum.
+    #[must_use]
+    pub fn rows(&self) -> usize {
+        self.starts.len() / 3
+    }
+
+    /// The rows of the inner sum and their coefficients.
+    #[must_use]
+    pub fn entries(&self, row: usize, component: usize) -> &[(usize, f64)] {
+        let index = 3 * row + component;
+        let ends = self.starts.get(index).zip(self.starts.get(index + 1));
+        ends.and_then(|(from, to)| self.entries.get(*from..*to)).unwrap_or_default()
+    }
+
+    /// The rows of the outer sum that have entries for a component.
+    pub fn rows_of(&self, component: usize) -> impl Iterator<Item = usize> {
+        (0..self.rows()).filter(move |row| !self.entries(*row, component).is_empty())
+    }
+}
 
 /// Points of which the sums are held in registers.
 const LANES: usize = 16;
 
+/// Outer sums that share one inner sum.
+const TOGETHER: usize = 3;
+
 multiversion! {
-    /// Adds `Σ c functions_j` to `sums`, x, y and z; `functions` are rows as long as each of them.
-    pub fn combine(row: &[(usize, [f64; 3])], functions: &[f64], sums: &mut [Vec<f64>; 3]) {
-        let length = sums.first().map_or(0, Vec::len);
-        for (j, coefficient) in row {
-            let function = functions.get(j * length..).and_then(|rest| rest.get(..length)).unwrap_or_default();
-            for (sum, factor) in sums.iter_mut().zip(coefficient) {
-                for (sum, value) in sum.iter_mut().zip(function) {
+    /// Writes `Σ c inner_j` to `sum`, as far as it reaches, for the entries `(j, c)` of one row and component.
+    pub fn combine(entries: &[(usize, f64)], inner: &[&[f64]], sum: &mut [f64]) {
+        sum.fill(0.0);
+        for (j, factor) in entries {
+            let values = inner.get(*j).copied().unwrap_or_default();
+            for (sum, value) in sum.iter_mut().zip(values) {
+                *sum = factor.mul_add(*value, *sum);
+            }
+        }
+    }
+}
+
+multiversion! {
+    /// Writes `Σ_m outer_m Σ_j c_mj inner_j` to x, y and z, as far as these reach, for each of several `outers`. All rows
+    /// are as long.
+    pub fn contract(
+        combination: &Combination,
+        inner: &[&[f64]],
+        outers: &[Vec<&[f64]>],
+        targets: &mut [[&mut [f64]; 3]],
+    ) {
+        for (outers, targets) in outers.chunks(TOGETHER).zip(targets.chunks_mut(TOGETHER)) {
+            let length = targets.iter().flatten().map(|target| target.len()).min().unwrap_or(0);
+            for begin in (0..length).step_by(LANES) {
+                let totals = totals(combination, inner, outers, begin);
+                for (targets, total) in targets.iter_mut().zip(&totals) {
+                    for (target, total) in targets.iter_mut().zip(total) {
+                        target.iter_mut().skip(begin).zip(total).for_each(|(slot, value)| *slot = *value);
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The sums at some points, for each outer sum and component.
+#[inline(always)]
+fn totals(
+    combination: &Combination,
+    inner: &[&[f64]],
+    outers: &[Vec<&[f64]>],
+    begin: usize,
+) -> [[[f64; LANES]; 3]; TOGETHER] {
+    let mut totals = [[[0.0; LANES]; 3]; TOGETHER];
+    for row in 0..combination.rows() {
+        for component in 0..3 {
+            let entries = combination.entries(row, component);
+            if entries.is_empty() {
+                continue;
+            }
+            let mut sum = [0.0; LANES];
+            for (j, factor) in entries {
+                let values = lanes(inner.get(*j).copied().unwrap_or_default(), begin);
+                for (sum, value) in sum.iter_mut().zip(&values) {
                     *sum = factor.mul_add(*value, *sum);
                 }
             }
-        }
-    }
-}
-
-multiversion! {
-    /// Writes `Σ_m outer_m Σ_j c_mj inner_j` to x, y and z, as far as these reach. All rows are as long.
-    pub fn contract(combination: &Combination, inner: &[&[f64]], outer: &[&[f64]], target: [&mut [f64]; 3]) {
-        let [x, y, z] = target;
-        let length = x.len().min(y.len()).min(z.len());
-        let mut begin = 0;
-        while begin < length {
-            let count = LANES.min(length - begin);
-            let mut total = [[0.0; LANES]; 3];
-            for (row, factor) in combination.iter().zip(outer) {
-                let mut sum = [[0.0; LANES]; 3];
-                for (j, coefficient) in row {
-                    let values = lanes(inner.get(*j).copied().unwrap_or_default(), begin, count);
-                    for (sum, factor) in sum.iter_mut().zip(coefficient) {
-                        for (sum, value) in sum.iter_mut().zip(&values) {
-                            *sum = factor.mul_add(*value, *sum);
-                        }
-                    }
-                }
-                let factor = lanes(factor, begin, count);
-                for (total, sum) in total.iter_mut().zip(&sum) {
-                    for ((total, sum), factor) in total.iter_mut().zip(sum).zip(&factor) {
-                        *total = factor.mul_add(*sum, *total);
-                    }
+            for (outer, total) in outers.iter().zip(&mut totals) {
+                let factors = lanes(outer.get(row).copied().unwrap_or_default(), begin);
+                let Some(total) = total.get_mut(component) else { continue };
+                for ((total, sum), factor) in total.iter_mut().zip(&sum).zip(&factors) {
+                    *total = factor.mul_add(*sum, *total);
                 }
             }
-            for (target, total) in [&mut *x, &mut *y, &mut *z].into_iter().zip(&total) {
-                target.iter_mut().skip(begin).zip(total).for_each(|(slot, value)| *slot = *value);
-            }
-            begin += LANES;
         }
     }
+    totals
 }
 
-/// Some numbers of a row, and zeros after them.
+/// Some numbers of a row, and zeros after its end.
 #[inline(always)]
-fn lanes(row: &[f64], begin: usize, count: usize) -> [f64; LANES] {
+fn lanes(row: &[f64], begin: usize) -> [f64; LANES] {
     let part = row.get(begin..).unwrap_or_default();
     if let Some(whole) = part.first_chunk::<LANES>() {
         return *whole;
     }
     let mut some = [0.0; LANES];
-    some.iter_mut().zip(part).take(count).for_each(|(slot, value)| *slot = *value);
+    some.iter_mut().zip(part).for_each(|(slot, value)| *slot = *value);
     some
 }

@@ -5,12 +5,13 @@ use super::Number;
 /// The widest vector has so many numbers; tiles are three of them wide.
 const WIDEST: usize = 16;
 
-/// `A_r(u_i)`: numbers, or vectors of three, row after row.
+/// `A_r(u_i)`: numbers, or vectors of three of which some components are zero for every u.
 #[derive(Debug, Clone)]
 pub struct Across<N> {
     rows: usize,
     rank: usize,
-    components: usize,
+    /// For numbers one list of all r; for vectors those r of which x, y, z are not zero.
+    parts: Vec<Vec<usize>>,
     numbers: Vec<N>,
 }
 
@@ -18,13 +19,19 @@ impl<N: Number> Across<N> {
     /// For each row as many zeros as the `rank`.
     #[must_use]
     pub fn scalars(rows: usize, rank: usize) -> Self {
-        Across { rows, rank, components: 1, numbers: vec![N::default(); rows * rank] }
+        Across::of(rows, rank, vec![(0..rank).collect()])
     }
 
-    /// For each row as many zero vectors as the `rank`.
+    /// For each row as many zero vectors as the `rank`, of which only the x, y and z of the r in `parts` will be written.
+    /// Each list is in ascending order; what is not below the rank is left out.
     #[must_use]
-    pub fn vectors(rows: usize, rank: usize) -> Self {
-        Across { rows, rank, components: 3, numbers: vec![N::default(); rows * rank * 3] }
+    pub fn vectors(rows: usize, rank: usize, parts: [Vec<usize>; 3]) -> Self {
+        Across::of(rows, rank, parts.into_iter().map(|part| part.into_iter().filter(|r| *r < rank).collect()).collect())
+    }
+
+    fn of(rows: usize, rank: usize, parts: Vec<Vec<usize>>) -> Self {
+        let width: usize = parts.iter().map(Vec::len).sum();
+        Across { rows, rank, parts, numbers: vec![N::default(); rows * width] }
     }
 
     /// The number of u_i.
@@ -42,35 +49,54 @@ impl<N: Number> Across<N> {
     /// 1 or 3.
     #[must_use]
     pub fn components(&self) -> usize {
-        self.components
+        self.parts.len()
     }
 
-    /// What belongs to u_i: for r after r a number, or x, y and z.
+    /// The r that each component has.
+    #[must_use]
+    pub fn parts(&self) -> &[Vec<usize>] {
+        &self.parts
+    }
+
+    /// The numbers of one row.
+    #[must_use]
+    pub fn width(&self) -> usize {
+        self.parts.iter().map(Vec::len).sum()
+    }
+
+    /// What belongs to u_i: for r after r a number, or all x, then all y, then all z.
     #[must_use]
     pub fn row(&self, i: usize) -> &[N] {
-        let length = self.rank * self.components;
-        self.numbers.get(i * length..).and_then(|rest| rest.get(..length)).unwrap_or_default()
+        let width = self.width();
+        self.numbers.get(i * width..).and_then(|rest| rest.get(..width)).unwrap_or_default()
     }
 
     /// The rows, to be written.
     pub fn rows_mut(&mut self) -> impl Iterator<Item = &mut [N]> {
-        self.numbers.chunks_exact_mut((self.rank * self.components).max(1))
+        let width = self.width();
+        self.numbers.chunks_exact_mut(width.max(1))
+    }
+
+    /// The same, rounded to other numbers.
+    #[must_use]
+    pub fn rounded<M: Number>(&self) -> Across<M> {
+        let numbers = self.numbers.iter().map(|number| M::rounded(number.to_f64())).collect();
+        Across { rows: self.rows, rank: self.rank, parts: self.parts.clone(), numbers }
     }
 
     pub(super) fn is_like(&self, other: &Self) -> bool {
-        (self.rows, self.rank, self.components) == (other.rows, other.rank, other.components)
+        (self.rows, self.rank, &self.parts) == (other.rows, other.rank, &other.parts)
     }
 
-    /// The largest size of each `A_r`, in any component; NaN or infinite where one of the numbers is.
+    /// The largest size of each number of a row in any of the rows; NaN or infinite where one of them is.
     #[must_use]
     pub fn largest(&self) -> Vec<f64> {
-        let mut most = vec![0.0; self.rank];
-        for row in self.numbers.chunks_exact((self.rank * self.components).max(1)) {
-            for (most, numbers) in most.iter_mut().zip(row.chunks(self.components)) {
-                *most = larger(*most, size(numbers));
-            }
+        let width = self.width();
+        let mut most = vec![0_u64; width];
+        for row in self.numbers.chunks_exact(width.max(1)) {
+            most.iter_mut().zip(row).for_each(|(most, number)| *most = (*most).max(size_bits(*number)));
         }
-        most
+        most.into_iter().map(f64::from_bits).collect()
     }
 }
 
@@ -173,27 +199,38 @@ impl<N: Number> Along<N> {
     }
 }
 
-/// A bound of the size of `Σ_r A_r B_r`, from the largest of each; not finite where a number is not.
+/// A bound of the size of `Σ_r A_r B_r` in any component, from the `largest` of the A_r ([`Across::largest`]) and the
+/// B_r; not finite where a number is not.
 #[must_use]
-pub fn bound<N: Number>(across: &Across<N>, along: &Along<N>) -> f64 {
+pub fn bound<N: Number>(across: &Across<N>, largest: &[f64], along: &Along<N>) -> f64 {
+    let along = along.largest();
+    let mut largest = largest.iter();
+    let sum = |part: &Vec<usize>| -> f64 {
+        part.iter().zip(largest.by_ref()).map(|(r, a)| a * along.get(*r).copied().unwrap_or(0.0)).sum()
+    };
+    let sums: Vec<f64> = across.parts().iter().map(sum).collect();
     // The sizes are rounded sums of `rank` products: half a dozen digits are more than enough room.
-    across.largest().iter().zip(along.largest()).map(|(a, b)| a * b).sum::<f64>() * (1.0 + 1e-6)
+    sums.into_iter().fold(0.0, larger) * (1.0 + 1e-6)
 }
 
 fn larger(a: f64, b: f64) -> f64 {
     if b > a || b.is_nan() { b } else { a }
 }
 
+/// The bits of a number's size: sizes are ordered as their bits are, and NaN comes last.
+#[inline(always)]
+fn size_bits<N: Number>(number: N) -> u64 {
+    number.to_f64().to_bits() & (u64::MAX >> 1)
+}
+
 fn size<N: Number>(numbers: &[N]) -> f64 {
     // Eight at a time, so that vectors can be used.
     let mut most = [0_u64; 8];
-    let bits = |number: N| number.to_f64().to_bits() & (u64::MAX >> 1);
     let chunks = numbers.chunks_exact(8);
     let rest = chunks.remainder();
     for chunk in chunks {
-        // Sizes are ordered as their bits are, and NaN comes last.
-        most.iter_mut().zip(chunk).for_each(|(most, number)| *most = (*most).max(bits(*number)));
+        most.iter_mut().zip(chunk).for_each(|(most, number)| *most = (*most).max(size_bits(*number)));
     }
-    most.iter_mut().zip(rest).for_each(|(most, number)| *most = (*most).max(bits(*number)));
+    most.iter_mut().zip(rest).for_each(|(most, number)| *most = (*most).max(size_bits(*number)));
     f64::from_bits(most.into_iter().fold(0, u64::max))
 }

@@ -119,46 +119,48 @@ unsafe fn step<L: Lanes>(vector: L, factor: *const L::Number, sum: L) -> L {
 
 macro_rules! position_tile {
     ($name:ident $all:ident, $rows:literal: $($sum:ident $row:literal)*) => {
-        /// One tile of points. `left` holds, for r after r, the factors of each row; `right` the first column's.
+        /// One tile of points. `left` holds, for number after number of a row, that of each row; `right` the first column's.
         ///
         /// # Safety
-        /// As for [`put`] and every row of `to`; the tables have `rank` rows.
+        /// As for [`put`] and every row of `to`; the tables have the rows of `parts`, and `left` as many numbers.
         #[inline(always)]
         unsafe fn $name<L: Lanes, const VECTORS_ALONG: bool, const STREAM: bool>(
-            (mut left, mut right): (*const L::Number, *const L::Number),
-            (rank, stride): (usize, usize),
+            (mut left, right): (*const L::Number, *const L::Number),
+            (parts, stride): (&[Vec<usize>], usize),
             to: &[*mut L::Number; $rows],
             kept: Option<usize>,
         ) {
             // SAFETY: the caller's; both pointers stay within the tables.
             unsafe {
-                $(let mut $sum = [L::splat(L::Number::default()); 3];)*
-                for _ in 0..rank {
-                    if VECTORS_ALONG {
+                if VECTORS_ALONG {
+                    $(let mut $sum = [L::splat(L::Number::default()); 3];)*
+                    let mut right = right;
+                    for _ in parts.iter().flatten() {
                         let (a, b, c) = (L::load(right), L::load(right.add(L::COUNT)), L::load(right.add(2 * L::COUNT)));
                         $(
                             let factor = left.add($row);
                             $sum = [step(a, factor, $sum[0]), step(b, factor, $sum[1]), step(c, factor, $sum[2])];
                         )*
                         left = left.add($rows);
-                    } else {
-                        let a = L::load(right);
-                        $(
-                            let factor = left.add(3 * $row);
-                            $sum = [
-                                step(a, factor, $sum[0]),
-                                step(a, factor.add(1), $sum[1]),
-                                step(a, factor.add(2), $sum[2]),
-                            ];
-                        )*
-                        left = left.add(3 * $rows);
+                        right = right.wrapping_add(stride);
                     }
-                    right = right.wrapping_add(stride);
+                    $(put::<L, STREAM>($sum, to[$row], kept);)*
+                } else {
+                    let [x, y, z] = parts else { return };
+                    macro_rules! component {
+                        ($part:ident) => {{
+                            $(let mut $sum = L::splat(L::Number::default());)*
+                            for r in $part {
+                                let a = L::load(right.wrapping_add(r * stride));
+                                $($sum = step(a, left.add($row), $sum);)*
+                                left = left.add($rows);
+                            }
+                            [$($sum),*]
+                        }};
+                    }
+                    let (x, y, z) = (component!(x), component!(y), component!(z));
+                    $(put::<L, STREAM>(L::interleaved([x[$row], y[$row], z[$row]]), to[$row], kept);)*
                 }
-                $(
-                    let points = if VECTORS_ALONG { $sum } else { L::interleaved($sum) };
-                    put::<L, STREAM>(points, to[$row], kept);
-                )*
             }
         }
 
@@ -171,9 +173,9 @@ macro_rules! position_tile {
             let Positions { stores, across, along, rows: Range { start, end }, points } = task;
             let columns = along.columns();
             let places = Places::new::<L::Number>(stores, (end - start, columns), $rows);
-            let (rank, spread) = (along.rank(), if VECTORS_ALONG { 3 } else { 1 });
+            let (parts, spread) = ((across.parts(), along.stride()), if VECTORS_ALONG { 3 } else { 1 });
             let (right, points) = (along.numbers().as_ptr(), points.as_mut_ptr());
-            let mut packed = Vec::with_capacity(rank * across.components() * $rows);
+            let mut packed = Vec::with_capacity(across.width() * $rows);
             for rows in places.tiles::<$rows>(end - start) {
                 pack(&[across], rows.map(|row| start + row), &mut packed);
                 let to = rows.map(|row| points.wrapping_add(row * columns));
@@ -185,18 +187,18 @@ macro_rules! position_tile {
                 // rows of a tile begin at the same place of a line, so that `head` fits all of them.
                 unsafe {
                     if j > 0 {
-                        $name::<L, VECTORS_ALONG, false>(part(0), (rank, along.stride()), &at(0), Some(j));
+                        $name::<L, VECTORS_ALONG, false>(part(0), parts, &at(0), Some(j));
                     }
                     while j + L::COUNT <= columns {
                         if head.is_some() {
-                            $name::<L, VECTORS_ALONG, true>(part(j), (rank, along.stride()), &at(j), None);
+                            $name::<L, VECTORS_ALONG, true>(part(j), parts, &at(j), None);
                         } else {
-                            $name::<L, VECTORS_ALONG, false>(part(j), (rank, along.stride()), &at(j), None);
+                            $name::<L, VECTORS_ALONG, false>(part(j), parts, &at(j), None);
                         }
                         j += L::COUNT;
                     }
                     if j < columns {
-                        $name::<L, VECTORS_ALONG, false>(part(j), (rank, along.stride()), &at(j), Some(columns - j));
+                        $name::<L, VECTORS_ALONG, false>(part(j), parts, &at(j), Some(columns - j));
                     }
                 }
             }
@@ -223,16 +225,12 @@ impl<N: Number> Kernel<N> for Positions<'_, N> {
     }
 }
 
-/// For r after r the factors of every row in a tile, one row after the other.
+/// For number after number of a row that of every row in a tile, one row after the other.
 fn pack<N: Number, const ROWS: usize>(tables: &[&Across<N>], rows: [usize; ROWS], packed: &mut Vec<N>) {
     packed.clear();
-    let (rank, components) = tables.first().map_or((0, 1), |table| (table.rank(), table.components()));
-    for r in 0..rank {
+    for index in 0..tables.first().map_or(0, |table| table.width()) {
         for row in rows {
-            for table in tables {
-                let factors = table.row(row).get(r * components..).and_then(|rest| rest.get(..components));
-                packed.extend_from_slice(factors.unwrap_or_default());
-            }
+            packed.extend(tables.iter().filter_map(|table| table.row(row).get(index)));
         }
     }
 }
@@ -245,15 +243,15 @@ const NEAR_TILES: usize = 4;
 macro_rules! shape_tile {
     ($name:ident $all:ident, $rows:literal: $($s:ident $su:ident $sv:ident $row:literal)*) => {
         /// One tile of points, normals and perhaps tangents; the least square of a normal's length before it is made one.
-        /// `left` holds, for r after r, the factors and slopes of each row; `right` those of the first column.
+        /// `left` holds, for number after number of a row, that and its slope of each row; `right` those of the first column.
         ///
         /// # Safety
-        /// As for [`put`] and every row of every output; the tables have `rank` rows.
+        /// As for [`put`] and every row of every output; the tables have the rows of `parts`, and `left` as many numbers.
         #[inline(always)]
         unsafe fn $name<L: Lanes, const VECTORS_ALONG: bool, const STREAM: bool>(
             mut left: *const L::Number,
             [mut right, mut slope]: [*const L::Number; 2],
-            (rank, stride): (usize, usize),
+            (parts, stride): (&[Vec<usize>], usize),
             (to, has_tangents): ([[*mut L::Number; 4]; $rows], bool),
             kept: Option<usize>,
             least: L,
@@ -262,34 +260,41 @@ macro_rules! shape_tile {
             unsafe {
                 let zero = [L::splat(L::Number::default()); 3];
                 $(let (mut $s, mut $su, mut $sv) = (zero, zero, zero);)*
-                for _ in 0..rank {
-                    if VECTORS_ALONG {
-                        let (mut at, mut slope_at) = (right, slope);
+                if VECTORS_ALONG {
+                    for _ in parts.iter().flatten() {
                         for d in 0..3 {
-                            let (value, derivative) = (L::load(at), L::load(slope_at));
+                            let (value, derivative) = (L::load(right), L::load(slope));
                             $(
                                 let factor = left.add(2 * $row);
                                 $s[d] = step(value, factor, $s[d]);
                                 $su[d] = step(value, factor.add(1), $su[d]);
                                 $sv[d] = step(derivative, factor, $sv[d]);
                             )*
-                            (at, slope_at) = (at.wrapping_add(stride), slope_at.wrapping_add(stride));
+                            (right, slope) = (right.wrapping_add(stride), slope.wrapping_add(stride));
                         }
                         left = left.add(2 * $rows);
-                        (right, slope) = (at, slope_at);
-                    } else {
-                        let (value, derivative) = (L::load(right), L::load(slope));
-                        for d in 0..3 {
-                            $(
-                                let factor = left.add(6 * $row + d);
-                                $s[d] = step(value, factor, $s[d]);
-                                $su[d] = step(value, factor.add(3), $su[d]);
-                                $sv[d] = step(derivative, factor, $sv[d]);
-                            )*
-                        }
-                        left = left.add(6 * $rows);
-                        (right, slope) = (right.wrapping_add(stride), slope.wrapping_add(stride));
                     }
+                } else {
+                    let [x, y, z] = parts else { return least };
+                    macro_rules! component {
+                        ($part:ident $d:literal) => {
+                            for r in $part {
+                                let at = r * stride;
+                                let (value, derivative) =
+                                    (L::load(right.wrapping_add(at)), L::load(slope.wrapping_add(at)));
+                                $(
+                                    let factor = left.add(2 * $row);
+                                    $s[$d] = step(value, factor, $s[$d]);
+                                    $su[$d] = step(value, factor.add(1), $su[$d]);
+                                    $sv[$d] = step(derivative, factor, $sv[$d]);
+                                )*
+                                left = left.add(2 * $rows);
+                            }
+                        };
+                    }
+                    component!(x 0);
+                    component!(y 1);
+                    component!(z 2);
                 }
                 let mut least = least;
                 $(
@@ -316,14 +321,14 @@ macro_rules! shape_tile {
             let Shape { stores, across, along, rows: Range { start, end }, outputs } = task;
             let [right, slope] = along.map(|along| along.numbers().as_ptr());
             let along = along[0];
-            let (columns, sizes) = (along.columns(), (along.rank(), along.stride()));
+            let (columns, sizes) = (along.columns(), (across[0].parts(), along.stride()));
             let places = Places::new::<L::Number>(stores, (end - start, columns), $rows);
             let has_tangents = outputs.tangents.is_some();
             let [p, n] = [outputs.positions.as_mut_ptr(), outputs.normals.as_mut_ptr()];
             let [u, v] = outputs.tangents.map_or([p, n], |[u, v]| [u.as_mut_ptr(), v.as_mut_ptr()]);
             // One head for all: outputs that begin at different places of a line are not streamed.
             let are_alike = [n, u, v].iter().all(|output| output.addr() % LINE == p.addr() % LINE);
-            let length = sizes.0 * across[0].components() * 2 * $rows;
+            let length = across[0].width() * 2 * $rows;
             let mut packed: Vec<Vec<L::Number>> = vec![Vec::with_capacity(length); NEAR_ROWS / $rows];
             // SAFETY: reads nothing.
             let mut least = unsafe { L::splat(L::Number::rounded(f64::INFINITY)) };

@@ -202,7 +202,7 @@ impl Solver for ExactSolver {
             modes,
             basis: Arc::clone(&self.basis),
             params: params.to_vec(),
-            coefficients: vec![coefficients],
+            coefficients: Arc::new(vec![coefficients]),
             instant: None,
         };
         let amplification = progress.worst.as_ref().map_or(1.0, |worst| worst.factor);

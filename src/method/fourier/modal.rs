@@ -314,7 +314,7 @@ impl Assembly {
             modes: Arc::new(JoinedModes::new(self.parts)),
             basis: Arc::new(Basis::new(&self.graph, &self.functions, options.backend, &options.limits)),
             params: params.to_vec(),
-            coefficients: vec![coefficients],
+            coefficients: Arc::new(vec![coefficients]),
             instant,
         })
     }

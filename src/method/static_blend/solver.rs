@@ -92,7 +92,7 @@ impl Solver for StaticSolver {
             modes: Arc::new(modes),
             basis: Arc::clone(&self.basis),
             params: params.to_vec(),
-            coefficients,
+            coefficients: Arc::new(coefficients),
             instant: self.varies_in_time.then_some(t),
         };
         report.warnings.extend(self.other_solutions(&collocation, &v, params, [range_u, range_v], t)?);
