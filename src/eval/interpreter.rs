@@ -18,8 +18,9 @@ use super::program::{Op, Program};
 use super::schedule::{Operand, Pairing, Schedule, Step};
 use super::{EvalError, Evaluator, Samples, checked_points, checked_samples};
 
-/// Samples a step treats at once: 2 KiB a row, so that a dozen live rows stay in the first-level cache.
-const BLOCK: usize = 256;
+/// Samples a step treats at once: enough that choosing a step takes little of the time, and so few that all rows of a
+/// large program stay in the second-level cache (docs/performance.md).
+const BLOCK: usize = 1024;
 
 /// An operand in one block.
 #[derive(Clone, Copy)]
@@ -82,9 +83,12 @@ impl Interpreter {
         let set = InstructionSet::best();
         workspace.prepare(&self.program, params, (self.schedule.registers(), points.min(BLOCK)));
         let Workspace { uniform, registers, .. } = workspace;
-        let row = |values| <[f64]>::split_at_mut_checked(values, points).map(|(row, _)| row.chunks_mut(BLOCK));
-        let mut outputs: Vec<_> = values.chunks_mut(stride).take(self.program.outputs()).filter_map(row).collect();
-        let count = outputs.len();
+        let count = self.program.outputs();
+        let mut outputs = Vec::with_capacity(count);
+        for values in values.chunks_mut(stride).take(count) {
+            let (row, _) = values.split_at_mut_checked(points).unwrap_or_default();
+            outputs.push(row.chunks_mut(BLOCK));
+        }
         let mut rows: Vec<&mut [f64]> = Vec::with_capacity(count + self.schedule.registers());
         rows.resize_with(count, Default::default);
         rows.extend(registers.iter_mut());

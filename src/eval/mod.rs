@@ -18,6 +18,7 @@ mod interpreter;
 mod jet;
 #[cfg(feature = "jit")]
 mod jit;
+mod lowering;
 mod program;
 mod schedule;
 
@@ -28,7 +29,8 @@ use crate::kernels::Rows;
 
 pub use interpreter::Workspace;
 pub use jet::{Jet, JetValues};
-pub use program::{LARGEST_MULTIPLIED_POWER, Op, OpId, Program};
+pub use lowering::LARGEST_MULTIPLIED_POWER;
+pub use program::{Op, OpId, Program};
 
 /// The coordinates of a block of points: slices of one length.
 #[derive(Debug, Clone, Copy)]

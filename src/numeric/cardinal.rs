@@ -105,16 +105,19 @@ impl CardinalPolynomials {
     }
 }
 
+/// Numbers that are treated together, in registers.
+const LANES: usize = 32;
+
 multiversion! {
     /// `factor` times the polynomial with the coefficients `series`, those of the highest powers first.
     fn horner(target: &mut [f64], y: &[f64], polynomial: (f64, &[f64])) {
         let (factor, series) = polynomial;
-        for (slot, y) in target.iter_mut().zip(y) {
-            let mut sum = 0.0;
+        for (target, y) in target.chunks_mut(LANES).zip(y.chunks(LANES)) {
+            let mut sums = [0.0; LANES];
             for coefficient in series {
-                sum = sum * y + coefficient;
+                sums.iter_mut().zip(y).for_each(|(sum, y)| *sum = *sum * y + coefficient);
             }
-            *slot = factor * sum;
+            target.iter_mut().zip(&sums).for_each(|(slot, sum)| *slot = factor * sum);
         }
     }
 }

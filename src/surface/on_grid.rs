@@ -72,8 +72,6 @@ struct AcrossTable {
 
 /// Vertices that are worth handing to another thread.
 const PIECE: usize = 1 << 14;
-/// Rows that kernels write together.
-const TILE: usize = 8;
 
 /// Outputs in pieces of `size` vertices.
 fn cut<'a, N>(outputs: Outputs<'a, N>, size: usize) -> impl Iterator<Item = Outputs<'a, N>> {
@@ -125,8 +123,8 @@ impl<'a> SurfaceOnGrid<'a> {
         let bound = grid::bound(&across, &table.largest, &along);
         let along = along.interleaved();
         let stores = Stores::suited_to(size_of_val(values));
-        let pieces = self.pieces().zip(values.chunks_mut(self.vertices_of_a_piece()));
-        threads::map(pieces.collect(), |(rows, values)| {
+        let (pieces, size) = self.pieces::<N>(stores);
+        threads::map(pieces.into_iter().zip(values.chunks_mut(size)).collect(), |(rows, values)| {
             grid::positions(self.set, stores, (&across, &along), rows, values);
         });
         if bound <= N::LARGEST { Ok(()) } else { finite(values) }
@@ -181,7 +179,8 @@ impl<'a> SurfaceOnGrid<'a> {
         let ([s, s_u], [f, f_v]) = (&across, &along);
         let (across, along) = ([s, s_u], [f, f_v]);
         let stores = Stores::suited_to(bytes);
-        let pieces = self.pieces().zip(cut(outputs, self.vertices_of_a_piece())).collect();
+        let (pieces, size) = self.pieces::<N>(stores);
+        let pieces = pieces.into_iter().zip(cut(outputs, size)).collect();
         let work = |(rows, outputs)| grid::shape(self.set, stores, (across, along), rows, outputs);
         // A least that is not a number must stay one.
         let lesser = |least: f64, here: f64| if here < least || here.is_nan() { here } else { least };
@@ -196,19 +195,13 @@ impl<'a> SurfaceOnGrid<'a> {
         Ok(are_moderate.then_some(least))
     }
 
-    /// Rows that one thread writes at a time: enough to be worth a thread, in whole tiles.
-    fn rows_of_a_piece(&self) -> usize {
-        PIECE.div_ceil(self.v.len().max(1)).next_multiple_of(TILE)
-    }
-
-    fn vertices_of_a_piece(&self) -> usize {
-        (self.rows_of_a_piece() * self.v.len()).max(1)
-    }
-
-    /// All rows, in pieces.
-    fn pieces(&self) -> impl Iterator<Item = Range<usize>> {
-        let (all, size) = (self.u.len(), self.rows_of_a_piece());
-        (0..all).step_by(size).map(move |first| first..all.min(first + size))
+    /// All rows, in pieces that one thread writes at a time, and the vertices of a piece: enough to be worth a thread, in
+    /// whole tiles.
+    fn pieces<N: Number>(&self, stores: Stores) -> (Vec<Range<usize>>, usize) {
+        let (all, columns) = (self.u.len(), self.v.len());
+        let size = PIECE.div_ceil(columns.max(1)).next_multiple_of(stores.rows_together::<N>(columns));
+        let pieces = (0..all).step_by(size).map(|first| first..all.min(first + size));
+        (pieces.collect(), (size * columns).max(1))
     }
 
     /// Forgets what was known about another surface.

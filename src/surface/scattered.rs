@@ -10,11 +10,11 @@ use super::validity::finite;
 use crate::diagnostic::Diagnostic;
 use crate::eval::JetValues;
 use crate::expr::Derivative;
-use crate::kernels::grid::contract;
-use crate::kernels::{InstructionSet, Rows};
+use crate::kernels::grid::{assemble, contract};
+use crate::kernels::{InstructionSet, Rows, are_finite};
 
 /// Points treated together: the rows of basis, modes and sums stay in the second-level cache.
-const BLOCK: usize = 256;
+const BLOCK: usize = 512;
 
 /// Writes each of `derivatives` at every point.
 pub(super) fn evaluate(
@@ -25,16 +25,17 @@ pub(super) fn evaluate(
 ) -> Result<(), Diagnostic> {
     let plan = Plan::new(surface, derivatives)?;
     let mut work = Work::new(surface, &plan)?;
+    let set = InstructionSet::best();
     for (block, points) in points.chunks(BLOCK).enumerate() {
         let from = block * BLOCK;
         plan.block(surface, points, &mut work)?;
         for (place, values) in values.iter_mut().enumerate() {
             let values = values.get_mut(from..).and_then(|rest| rest.get_mut(..points.len())).unwrap_or_default();
-            let [x, y, z] = [0, 1, 2].map(|component| work.sums.row(3 * place + component));
-            for (value, ((x, y), z)) in values.iter_mut().zip(x.iter().zip(y).zip(z)) {
-                *value = [*x, *y, *z];
+            let rows = [0, 1, 2].map(|component| work.sums.row(3 * place + component));
+            assemble(set, values, rows);
+            if !rows.iter().all(|row| are_finite(set, row)) {
+                finite(values)?;
             }
-            finite(values)?;
         }
     }
     Ok(())
@@ -96,8 +97,9 @@ impl Plan {
     }
 
     fn block(&self, surface: &SeparableSurface, points: &[[f64; 3]], work: &mut Work) -> Result<(), Diagnostic> {
-        let column = |axis: usize| points.iter().filter_map(|point| point.get(axis).copied()).collect::<Vec<f64>>();
-        let [u, v, t] = [column(0), column(1), column(2)];
+        let u: Vec<f64> = points.iter().map(|[u, _, _]| *u).collect();
+        let v: Vec<f64> = points.iter().map(|[_, v, _]| *v).collect();
+        let t: Vec<f64> = points.iter().map(|[_, _, t]| *t).collect();
         surface.basis.evaluate((&self.bases, &mut work.bases), &surface.params, (&v, &t))?;
         surface.modes.tabulate(&self.orders, &u, &mut work.modes);
         work.sums.reshape(3 * self.count, points.len());

@@ -170,15 +170,19 @@ impl Modes for CorrectedTrial {
     }
 }
 
+/// Numbers that are treated together, in registers.
+const LANES: usize = 32;
+
 multiversion! {
     /// Subtracts from a function what the boundary sees of it: its values there times the cardinal functions.
     fn correct(row: &mut [f64], cardinal: &[&mut [f64]], at_boundary: &[f64]) {
-        for (index, value) in row.iter_mut().enumerate() {
-            let mut correction = 0.0;
+        for (number, values) in row.chunks_mut(LANES).enumerate() {
+            let mut corrections = [0.0; LANES];
             for (factor, cardinal) in at_boundary.iter().zip(cardinal) {
-                correction += factor * cardinal.get(index).copied().unwrap_or(0.0);
+                let cardinal = cardinal.get(number * LANES..).unwrap_or_default();
+                corrections.iter_mut().zip(cardinal).for_each(|(sum, cardinal)| *sum += factor * cardinal);
             }
-            *value -= correction;
+            values.iter_mut().zip(&corrections).for_each(|(value, correction)| *value -= correction);
         }
     }
 }

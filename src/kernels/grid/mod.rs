@@ -8,6 +8,7 @@
 //! it depends neither on the instruction set, nor on where the grid lies in memory, nor on how its rows are shared
 //! among threads.
 
+mod cache;
 mod lanes;
 mod points;
 mod tables;
@@ -17,11 +18,12 @@ use std::ops::Range;
 
 use super::InstructionSet;
 
+use cache::last_cache;
 use lanes::Lanes;
 use tiles::{Positions, Shape};
 
 pub use lanes::Number;
-pub use points::{Combination, combine, contract};
+pub use points::{Combination, assemble, combine, contract};
 pub use tables::{Across, Along, bound};
 
 /// How points are written.
@@ -34,11 +36,16 @@ pub enum Stores {
 }
 
 impl Stores {
-    /// What suits an amount of bytes: a core's share of the last cache is a few MiB on most machines.
+    /// What suits an amount of bytes: what fills more than half of the last cache is not kept for who reads it next.
     #[must_use]
     pub fn suited_to(bytes: usize) -> Stores {
-        const SHARE: usize = 8 << 20;
-        if bytes > SHARE { Stores::Streamed } else { Stores::Cached }
+        if bytes > last_cache() / 2 { Stores::Streamed } else { Stores::Cached }
+    }
+
+    /// As many rows of `columns` points as kernels write together; other numbers of rows leave tiles with empty rows.
+    #[must_use]
+    pub fn rows_together<N: Number>(self, columns: usize) -> usize {
+        tiles::rows_together::<N>(self, columns)
     }
 }
 

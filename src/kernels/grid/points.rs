@@ -60,8 +60,8 @@ impl Combination {
     }
 }
 
-/// Points of which the sums are held in registers.
-const LANES: usize = 16;
+/// Points of which a sum is held in registers: as many vectors of eight as multiplications are under way at once.
+const LANES: usize = 64;
 
 /// Outer sums that share one inner sum.
 const TOGETHER: usize = 3;
@@ -80,18 +80,29 @@ multiversion! {
 }
 
 multiversion! {
-    /// Writes `Σ_m outer_m Σ_j c_mj inner_j` to x, y and z, as far as these reach, for each of several `outers`. All rows
-    /// are as long.
+    /// Writes `Σ_m outer_m Σ_j c_mj inner_j` to x, y and z for each of several `outers`. All rows are as long as these.
     pub fn contract(
         combination: &Combination,
         inner: &[&[f64]],
         outers: &[Vec<&[f64]>],
         targets: &mut [[&mut [f64]; 3]],
     ) {
-        for (outers, targets) in outers.chunks(TOGETHER).zip(targets.chunks_mut(TOGETHER)) {
-            let length = targets.iter().flatten().map(|target| target.len()).min().unwrap_or(0);
-            for begin in (0..length).step_by(LANES) {
-                let totals = totals(combination, inner, outers, begin);
+        let length = targets.iter().flatten().map(|target| target.len()).min().unwrap_or(0);
+        let is_short = length < LANES;
+        let copies = |rows: &[&[f64]]| rows.iter().filter(|_| is_short).map(|row| padded(row)).collect::<Vec<_>>();
+        let short = copies(inner);
+        let short_outers: Vec<Vec<[f64; LANES]>> = outers.iter().map(|rows| copies(rows)).collect();
+        let mut windows: Vec<&[f64; LANES]> = short.iter().collect();
+        let mut outer_windows: Vec<Vec<&[f64; LANES]>> = short_outers.iter().map(|rows| rows.iter().collect()).collect();
+        for begin in (0..length).step_by(LANES) {
+            // The last points are treated with some before them, once more.
+            let begin = begin.min(length.saturating_sub(LANES));
+            if !is_short {
+                look(inner, begin, &mut windows);
+                outers.iter().zip(&mut outer_windows).for_each(|(outer, windows)| look(outer, begin, windows));
+            }
+            for (outers, targets) in outer_windows.chunks(TOGETHER).zip(targets.chunks_mut(TOGETHER)) {
+                let totals = totals(combination, &windows, outers);
                 for (targets, total) in targets.iter_mut().zip(&totals) {
                     for (target, total) in targets.iter_mut().zip(total) {
                         target.iter_mut().skip(begin).zip(total).for_each(|(slot, value)| *slot = *value);
@@ -102,13 +113,28 @@ multiversion! {
     }
 }
 
+/// The numbers of every row from `begin` on.
+#[inline(always)]
+fn look<'a>(rows: &[&'a [f64]], begin: usize, windows: &mut Vec<&'a [f64; LANES]>) {
+    let window = |row: &&'a [f64]| row.get(begin..).and_then(|rest| rest.first_chunk()).unwrap_or(&[0.0; LANES]);
+    windows.clear();
+    windows.extend(rows.iter().map(window));
+}
+
+/// The numbers of a row, and zeros after its end.
+#[inline(always)]
+fn padded(row: &[f64]) -> [f64; LANES] {
+    let mut some = [0.0; LANES];
+    some.iter_mut().zip(row).for_each(|(slot, value)| *slot = *value);
+    some
+}
+
 /// The sums at some points, for each outer sum and component.
 #[inline(always)]
 fn totals(
     combination: &Combination,
-    inner: &[&[f64]],
-    outers: &[Vec<&[f64]>],
-    begin: usize,
+    inner: &[&[f64; LANES]],
+    outers: &[Vec<&[f64; LANES]>],
 ) -> [[[f64; LANES]; 3]; TOGETHER] {
     let mut totals = [[[0.0; LANES]; 3]; TOGETHER];
     for row in 0..combination.rows() {
@@ -119,31 +145,31 @@ fn totals(
             }
             let mut sum = [0.0; LANES];
             for (j, factor) in entries {
-                let values = lanes(inner.get(*j).copied().unwrap_or_default(), begin);
-                for (sum, value) in sum.iter_mut().zip(&values) {
+                let Some(values) = inner.get(*j) else { continue };
+                for (sum, value) in sum.iter_mut().zip(*values) {
                     *sum = factor.mul_add(*value, *sum);
                 }
             }
             for (outer, total) in outers.iter().zip(&mut totals) {
-                let factors = lanes(outer.get(row).copied().unwrap_or_default(), begin);
-                let Some(total) = total.get_mut(component) else { continue };
-                for ((total, sum), factor) in total.iter_mut().zip(&sum).zip(&factors) {
-                    *total = factor.mul_add(*sum, *total);
+                let (Some(factors), Some(total)) = (outer.get(row), total.get_mut(component)) else { continue };
+                // Copied, so that the compiler sees that nothing overlaps.
+                let (factors, mut next): ([f64; LANES], [f64; LANES]) = (**factors, *total);
+                for ((next, sum), factor) in next.iter_mut().zip(&sum).zip(&factors) {
+                    *next = factor.mul_add(*sum, *next);
                 }
+                *total = next;
             }
         }
     }
     totals
 }
 
-/// Some numbers of a row, and zeros after its end.
-#[inline(always)]
-fn lanes(row: &[f64], begin: usize) -> [f64; LANES] {
-    let part = row.get(begin..).unwrap_or_default();
-    if let Some(whole) = part.first_chunk::<LANES>() {
-        return *whole;
+multiversion! {
+    /// Writes rows of x, y and z as points, as far as all reach.
+    pub fn assemble(points: &mut [[f64; 3]], rows: [&[f64]; 3]) {
+        let [x, y, z] = rows;
+        for (point, ((x, y), z)) in points.iter_mut().zip(x.iter().zip(y).zip(z)) {
+            *point = [*x, *y, *z];
+        }
     }
-    let mut some = [0.0; LANES];
-    some.iter_mut().zip(part).for_each(|(slot, value)| *slot = *value);
-    some
 }

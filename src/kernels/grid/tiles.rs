@@ -31,6 +31,20 @@ pub(super) struct Shape<'a, N> {
     pub outputs: Outputs<'a, N>,
 }
 
+/// Rows so far apart begin at the same place of a cache line.
+fn period<N: Number>(columns: usize) -> usize {
+    let bytes = columns * size_of::<[N; 3]>();
+    LINE >> bytes.trailing_zeros().min(LINE.trailing_zeros())
+}
+
+/// See [`Stores::rows_together`].
+pub(super) fn rows_together<N: Number>(stores: Stores, columns: usize) -> usize {
+    match stores {
+        Stores::Cached => NEAR_ROWS,
+        Stores::Streamed => NEAR_ROWS * period::<N>(columns),
+    }
+}
+
 /// How rows are put together to tiles.
 #[derive(Clone, Copy)]
 struct Places {
@@ -42,8 +56,7 @@ struct Places {
 impl Places {
     /// For `rows` of `columns` points, at least `together` of them in a tile.
     fn new<N: Number>(stores: Stores, (rows, columns): (usize, usize), together: usize) -> Places {
-        let bytes = columns * size_of::<[N; 3]>();
-        let period = LINE >> bytes.trailing_zeros().min(LINE.trailing_zeros());
+        let period = period::<N>(columns);
         // With few rows most of a tile would be empty, and stores are not what takes the time.
         let is_streamed = stores == Stores::Streamed && rows >= together * period;
         Places { period: if is_streamed { period } else { 1 }, is_streamed }
