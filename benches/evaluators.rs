@@ -219,7 +219,10 @@ fn grids() -> Outcome {
     let mut buffer = vec![0.0; 3 * SIDE * SIDE];
     let bytes = size_of_val(buffer.as_slice()) as f64;
     let nanoseconds_per_byte = 1e9 * fastest(ROUNDS, || peak::stream(black_box(&mut buffer), 1.0)) / bytes;
-    println!("grid: stores past the caches {:.1} GB/s, {nanoseconds_per_byte:.4} ns a byte", 1.0 / nanoseconds_per_byte);
+    println!(
+        "grid: stores past the caches {:.1} GB/s, {nanoseconds_per_byte:.4} ns a byte",
+        1.0 / nanoseconds_per_byte
+    );
     let surface = surface(5)?;
     for (name, surface) in [("Eqs. (29)-(30)", &surface), ("every coefficient", &dense(&surface))] {
         grids_of::<f64>(name, "f64", surface, nanoseconds_per_byte)?;
@@ -293,7 +296,8 @@ fn memory() -> Outcome {
         if cycle % (CYCLES / 10) == 0
             && let Some(bytes) = resident()
         {
-            let growth = before.map_or_else(String::new, |before: f64| format!(", {:+.0} KiB", (bytes - before) / 1024.0));
+            let growth =
+                before.map_or_else(String::new, |before: f64| format!(", {:+.0} KiB", (bytes - before) / 1024.0));
             println!("memory: after {cycle} compilations {:.1} MiB{growth}", bytes / 1_048_576.0);
             before = Some(bytes);
         }

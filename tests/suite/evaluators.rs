@@ -7,8 +7,11 @@ mod random;
 use std::sync::Arc;
 
 use trimline::diagnostic::Code;
-use trimline::eval::{Backend, EvalError, Evaluator, Program, Samples, compile};
-use trimline::expr::{Function, Graph, Number, Variable};
+use trimline::eval::{
+    Backend, EvalError, Evaluator, Jet, JetValues, Op, Program, Samples, Workspace, compile, first_non_finite,
+};
+use trimline::expr::{Derivative, ExprId, Function, Graph, Number, Variable};
+use trimline::kernels::Rows;
 
 use conformance::{conform, sample_coordinates, wide_program};
 
@@ -156,8 +159,8 @@ fn on_a_small_stack<R: Send + 'static>(work: impl FnOnce() -> R + Send + 'static
 fn large_program_is_lowered_and_run_on_a_small_stack() {
     on_a_small_stack(|| {
         let program = program_of(100_000);
-        let (evaluator, note) = compile(program.clone(), Backend::Auto);
-        assert_eq!(note.map(|note| note.code), has_auto_note(true));
+        let (evaluator, note) = compile(program.clone(), Backend::Jit);
+        assert_eq!(note.map(|note| note.code), Some(Code::HostUnsupported));
         let (u, v, t) = sample_coordinates(3);
         let samples = Samples { u: &u, v: &v, t: &t };
         let mut values = [vec![0.0; 3], vec![0.0; 3]];
@@ -167,9 +170,114 @@ fn large_program_is_lowered_and_run_on_a_small_stack() {
     });
 }
 
-/// The code of the note that `Auto` gives for a program that is, or is not, too large for machine code.
-fn has_auto_note(is_too_large: bool) -> Option<Code> {
-    (is_too_large && cfg!(feature = "jit")).then_some(Code::HostUnsupported)
+#[test]
+fn calls_short_and_long_give_the_same_bits_before_and_after_machine_code_is_made() {
+    let (program, _, _) = wide_program(20);
+    let (adaptive, note) = compile(program.clone(), Backend::Auto);
+    assert!(note.is_none());
+    let reference = interpreter(program.clone());
+    let params = [0.5, 2.0];
+    // More short calls than it takes until they are compiled, long ones between them.
+    for call in 0..600 {
+        let count = if call % 50 == 0 { 300 } else { 1 + call % 7 };
+        let (u, v, t) = sample_coordinates(count);
+        let samples = Samples { u: &u, v: &v, t: &t };
+        let mut values = [vec![0.0; count * program.outputs()], vec![0.0; count * program.outputs()]];
+        adaptive.evaluate(&params, samples, &mut values[0]).expect("lengths fit");
+        reference.evaluate(&params, samples, &mut values[1]).expect("lengths fit");
+        assert_eq!(bits(&values[0]), bits(&values[1]), "call {call}");
+    }
+}
+
+#[test]
+fn rows_have_the_bits_of_values_for_every_evaluator_and_a_workspace_may_be_shared() {
+    let (first, _, _) = wide_program(7);
+    let (second, _, _) = wide_program(12);
+    let (mut rows, mut workspace) = (Rows::default(), Workspace::default());
+    for backend in [Backend::Interpreter, Backend::Jit, Backend::Auto] {
+        // -0 and 0 are equal, and 1 over them are not.
+        for params in [[0.5, 2.0], [0.0, 1.0], [-0.0, 1.0], [0.5, 2.0]] {
+            for (program, count) in [(&first, 1), (&second, 1500), (&first, 40), (&second, 0)] {
+                let (evaluator, _) = compile(program.clone(), backend);
+                let (u, v, t) = sample_coordinates(count);
+                let samples = Samples { u: &u, v: &v, t: &t };
+                let mut values = vec![0.0; count * program.outputs()];
+                evaluator.evaluate(&params, samples, &mut values).expect("lengths fit");
+                evaluator.evaluate_rows(&params, samples, &mut rows, &mut workspace).expect("lengths fit");
+                let found: Vec<f64> = rows.iter().flatten().copied().collect();
+                assert_eq!(bits(&found), bits(&values), "{backend:?} {count}");
+            }
+            let short = Samples { u: &[0.0], v: &[], t: &[0.0] };
+            let (evaluator, _) = compile(first.clone(), backend);
+            assert!(evaluator.evaluate_rows(&params, short, &mut rows, &mut workspace).is_err());
+        }
+    }
+}
+
+#[test]
+fn jet_has_the_values_of_its_functions_and_stores_equal_ones_once() {
+    let mut graph = Graph::new();
+    let (a, v, t) = (graph.symbol("a"), graph.variable(Variable::V), graph.variable(Variable::T));
+    let av = graph.product([a, v]);
+    let sine = graph.call(Function::Sin, &[av]);
+    let moving = graph.product([t, sine]);
+    let functions = [a, t, sine, moving];
+    let orders = [Derivative::NONE, Derivative::new(0, 0, 1), Derivative::new(0, 2, 0), Derivative::new(0, 0, 2)];
+    let outputs: Vec<ExprId> = orders
+        .iter()
+        .flat_map(|orders| functions.map(|function| graph.derivative(function, *orders).expect("smooth")))
+        .collect();
+    let jet = Arc::new(Jet::new(&graph, &outputs, Backend::Auto));
+    // t, sin av, t sin av, and the second derivatives of the last two; all else is a, 0 or 1.
+    assert_eq!((jet.len(), jet.distinct()), (16, 5));
+    let plain = interpreter(Program::compile(&graph, &outputs));
+    let mut values = JetValues::new(jet);
+    for (a, count) in [(0.5, 3), (0.5, 700), (-2.0, 700), (0.0, 1), (f64::INFINITY, 3)] {
+        let (u, v, t) = sample_coordinates(count);
+        let samples = Samples { u: &u, v: &v, t: &t };
+        let mut expected = vec![0.0; 16 * count];
+        plain.evaluate(&[a], samples, &mut expected).expect("lengths fit");
+        values.evaluate(&[a], samples).expect("lengths fit");
+        for (output, expected) in expected.chunks(count).enumerate() {
+            assert_eq!(bits(values.row(output)), bits(expected), "output {output}, a = {a}");
+        }
+        let found = values.first_non_finite().map(|(output, sample, value)| (output, sample, value.to_bits()));
+        let first = first_non_finite(&expected, count);
+        assert_eq!(found, first.map(|(output, sample, value)| (output, sample, value.to_bits())));
+    }
+    assert!(values.row(16).is_empty());
+    assert!(values.evaluate(&[], Samples { u: &[0.0], v: &[0.0], t: &[0.0] }).is_err());
+}
+
+#[test]
+fn long_sums_of_like_terms_are_those_of_the_single_terms() {
+    let mut graph = Graph::new();
+    let (a, b, v, t) = (graph.symbol("a"), graph.symbol("b"), graph.variable(Variable::V), graph.variable(Variable::T));
+    let mut terms = Vec::new();
+    for k in 1..6 {
+        let argument = graph.scale(Number::integer(k), v);
+        let sine = graph.call(Function::Sin, &[argument]);
+        for factors in [vec![a, sine], vec![b, sine], vec![a, t, sine], vec![b, b, t, sine], vec![a], vec![b, t]] {
+            terms.push(graph.product(factors));
+        }
+    }
+    let sum = graph.sum(terms.clone());
+    let program = Program::compile(&graph, &[sum]);
+    let multiplications = program.varying().iter().filter(|op| matches!(op, Op::Mul(..))).count();
+    // For each sine its argument, and with and without t a factor; one product with t.
+    assert!(multiplications <= 5 + 2 * 5 + 2, "{program}");
+    let (u, v, t) = sample_coordinates(50);
+    let samples = Samples { u: &u, v: &v, t: &t };
+    let mut found = vec![0.0; 50];
+    interpreter(program).evaluate(&[1.5, -0.75], samples, &mut found).expect("lengths fit");
+    let mut parts = vec![0.0; 50 * terms.len()];
+    interpreter(Program::compile(&graph, &terms)).evaluate(&[1.5, -0.75], samples, &mut parts).expect("lengths fit");
+    for (point, found) in found.iter().enumerate() {
+        let parts: Vec<f64> = parts.iter().skip(point).step_by(50).copied().collect();
+        let (expected, size): (f64, f64) = (parts.iter().sum(), parts.iter().map(|part| part.abs()).sum());
+        // A rounding or two for each of 30 terms.
+        assert!((found - expected).abs() <= 60.0 * f64::EPSILON * size, "{point}: {found} {expected}");
+    }
 }
 
 #[test]
