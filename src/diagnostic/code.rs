@@ -142,6 +142,7 @@ codes! {
     BadSplineFile = "E0609", Error, Source, "A file of B-splines cannot be read.";
     LayersDisagree = "E0610", Error, Source, "Boundary layers of a net give one control point two places.";
     NoArea = "E0611", Error, Source, "A surface has no area.";
+    EdgesNearlyMeet = "N0612", Note, Source, "An imported surface closes but for a small gap.";
     SidesDisagree = "E0701", Error, Source, "The sides of a patch do not fit together in a corner.";
     TwistsDisagree = "N0702", Note, Source, "The sides of a patch have different twists in a corner.";
     NotElliptic = "W0703", Warning, Numerical, "The equation is not elliptic, and data stand on all four sides.";

@@ -35,6 +35,7 @@ const ELSEWHERE: &[(Code, &str)] = &[
     (Code::CurvesDoNotMeet, "tests of nets"),
     (Code::SeamCreased, "tests of nets"),
     (Code::ToleranceNotReached, "tests of fits"),
+    (Code::EdgesNearlyMeet, "tests of imported surfaces"),
     (Code::SidesDisagree, "tests of the method `four_sided`"),
     (Code::TwistsDisagree, "tests of the method `four_sided`"),
     (Code::NotElliptic, "tests of the method `four_sided`"),
