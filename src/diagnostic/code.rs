@@ -157,6 +157,7 @@ codes! {
     ShapeLost = "E0713", Error, Source, "Rounding leaves too little of a shape.";
     LoopFolded = "E0714", Error, Source, "A loop of edges folds back on itself.";
     SeamWithoutEdge = "E0715", Error, Source, "A seam does not join two edges.";
+    PatchFolded = "W0716", Warning, Source, "A patch folds back over itself.";
     LimitReached = "E0901", Error, Limit, "A limit was reached.";
     HostUnsupported = "N0902", Note, Host, "The machine lacks something; the work goes on another way.";
     OutputFailed = "E0903", Error, Output, "Writing a result failed.";

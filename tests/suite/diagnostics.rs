@@ -43,6 +43,7 @@ const ELSEWHERE: &[(Code, &str)] = &[
     (Code::ShapeLost, "tests of deformations and of copies, which know the size of the solution"),
     (Code::NotSeparable, "tests of specs with four sides"),
     (Code::ApexNotSmooth, "tests of patches with an apex"),
+    (Code::PatchFolded, "tests of folds"),
     (Code::HostUnsupported, "a machine without machine code"),
     (Code::OutputFailed, "a full disk"),
     (Code::NoArea, "tests of CAD files"),
