@@ -419,9 +419,13 @@ impl Prepared {
             "the surface meets its boundary but not its equation: `{method}` leaves {residual:.1e} of the largest term at t = {}",
             Shortest(t)
         );
+        let help = match &solution.report.limit {
+            Some(limit) => format!("{}: `--limits` raises it, and smoother data or coefficients need fewer terms", limit.message),
+            None => "more terms, smoother data or coefficients may help; a method that is named in `solve` is taken as it is".to_owned(),
+        };
         Diagnostic::new(Code::LargeResidual, message)
             .at(self.patch().operator.origin.or(self.patch().boundary_origin()))
-            .hint("more terms, smoother data or coefficients may help; a method that is named in `solve` is taken as it is")
+            .hint(help)
     }
 
     fn folded(&self, [u, v]: [f64; 2], t: f64) -> Diagnostic {
