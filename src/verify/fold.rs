@@ -2,7 +2,7 @@
 //!
 //! At a fold the normal turns round between two parts of a patch while `S_u × S_v` shrinks between them; where a surface only
 //! bends sharply, it does not shrink. Where a side is a point, or two sides run on into each other, it is short on one side of
-//! the turn as well: there is no such part.
+//! the turn as well, and must vanish.
 
 use super::contact::{Vector, cross, dot, length};
 use crate::diagnostic::Diagnostic;
@@ -14,11 +14,12 @@ use crate::surface::Surface;
 /// Places in each direction, none of them on a side, which may be a point.
 const PLACES: usize = 24;
 
-/// Of the usual length of `S_u × S_v`: what is shorter may be rounding errors and has no direction.
+/// Of the usual length of `S_u × S_v`: what is shorter is zero, or rounding errors, and has no direction.
 const NO_NORMAL: f64 = 1e-6;
 
 /// Of the usual length: what is shorter where the normal turns round belongs to a fold, and what is longer to a bend. Flat folds
-/// reach 0, those of loops in space 0.04. A part in which nothing is longer is a corner of a degree or two beyond 180.
+/// reach 0, those of loops in space 0.04. In a part in which nothing is longer sides run on into each other, or are a point:
+/// there only a flat fold is one for certain.
 const SHRUNK: f64 = 0.1;
 
 /// Until neighbouring doubles.
@@ -54,10 +55,11 @@ pub fn find_fold(surface: &dyn Surface, domain: &DomainValues, t: f64) -> Result
     for line in rows.chain(columns) {
         let line: Vec<Sample> = line.into_iter().filter(|sample| length(sample.product) > NO_NORMAL * usual).collect();
         let parts: Vec<&[Sample]> = line.chunk_by(|a, b| !a.turns_to(b)).collect();
-        let is_part = |part: &[Sample]| part.iter().any(|sample| length(sample.product) > SHRUNK * usual);
-        for (before, behind) in parts.iter().zip(parts.iter().skip(1)).filter(|(a, b)| is_part(a) && is_part(b)) {
+        let is_broad = |part: &[Sample]| part.iter().any(|sample| length(sample.product) > SHRUNK * usual);
+        for (before, behind) in parts.iter().zip(parts.iter().skip(1)) {
             let (Some(a), Some(b)) = (before.last(), behind.first()) else { continue };
-            let fold = fold_between(surface, [*a, *b], t, SHRUNK * usual)?;
+            let shrunk = if is_broad(before) && is_broad(behind) { SHRUNK } else { NO_NORMAL };
+            let fold = fold_between(surface, [*a, *b], t, shrunk * usual)?;
             if fold.is_some() {
                 return Ok(fold);
             }

@@ -61,6 +61,12 @@ fn patch_at_a_corner_wider_than_half_a_turn_is_warned_of() {
     let dart = [[0.0, 0.0, 0.0], [1.0, 0.2, 0.0], [2.0, 0.0, 0.0], [1.0, 1.0, 0.0]];
     let mut shapes = vec![BRACKET.to_vec(), dart.to_vec()];
     shapes.extend([(6, 0.4), (8, 0.6), (10, 0.7), (12, 0.75)].map(|(count, share)| star(count, share)));
+    // A hexagon with a corner pushed in, until it is that many degrees too wide.
+    shapes.extend([1.0_f64, 3.0, 30.0].map(|degrees| {
+        let mut corners = star(6, 1.0);
+        corners[0][0] = 0.5 - 0.75_f64.sqrt() * (degrees.to_radians() / 2.0).tan();
+        corners
+    }));
     for corners in shapes {
         let reflex: Vec<usize> =
             (0..corners.len()).filter(|index| is_reflex(&corners, *index)).map(|i| i + 1).collect();
