@@ -32,10 +32,17 @@ const COARSEST: f64 = 1e-6;
 /// Of that breadth: whoever leaves a smaller gap may have meant none.
 const NEARLY: f64 = 1e-3;
 
+/// What a file holds.
+struct Contents {
+    /// With their names.
+    surfaces: Vec<(String, BsplineSurface)>,
+    /// Below which distance two points are one.
+    uncertainty: Option<f64>,
+}
+
 /// A surface from a file, with what its file says of it.
 struct Imported {
     surface: BsplineSurface,
-    /// Below which distance two points are one.
     uncertainty: Option<f64>,
 }
 
@@ -140,10 +147,11 @@ fn remark(closing: &Closing, (name, parameter): (&str, &str), [tolerance, breadt
 
 /// The surface of a file that is meant.
 fn surface(path: &str, file: Option<&DataFile>, face: Option<usize>, limits: &Limits) -> Result<Imported, Diagnostic> {
-    let (mut found, uncertainty) = read(curve::contents(path, file)?, path, limits).map_err(|mut finding| {
-        finding.message = format!("{path}: {}", finding.message);
-        finding
-    })?;
+    let Contents { surfaces: mut found, uncertainty } =
+        read(curve::contents(path, file)?, path, limits).map_err(|mut finding| {
+            finding.message = format!("{path}: {}", finding.message);
+            finding
+        })?;
     let count = found.len();
     let what = match count {
         1 => "1 B-spline surface".to_owned(),
@@ -165,16 +173,14 @@ fn surface(path: &str, file: Option<&DataFile>, face: Option<usize>, limits: &Li
     Ok(Imported { surface: found.swap_remove(index).1, uncertainty })
 }
 
-/// The surfaces of a file with their names, and its uncertainty.
-fn read(
-    bytes: &Arc<[u8]>,
-    path: &str,
-    limits: &Limits,
-) -> Result<(Vec<(String, BsplineSurface)>, Option<f64>), Diagnostic> {
+fn read(bytes: &Arc<[u8]>, path: &str, limits: &Limits) -> Result<Contents, Diagnostic> {
     let text = std::str::from_utf8(bytes).map_err(|_| {
         Diagnostic::new(Code::BadSplineFile, "it is no text").hint("files of B-splines are JSON or STEP")
     })?;
     let extension = path.rsplit_once('.').map_or("", |(_, extension)| extension);
     let is_step = ["step", "stp"].iter().any(|known| extension.eq_ignore_ascii_case(known));
-    if is_step { Ok((from_step(text, limits)?, uncertainty(text))) } else { Ok((from_json(text, limits)?, None)) }
+    Ok(match is_step {
+        true => Contents { surfaces: from_step(text, limits)?, uncertainty: uncertainty(text) },
+        false => Contents { surfaces: from_json(text, limits)?, uncertainty: None },
+    })
 }

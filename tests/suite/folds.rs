@@ -30,7 +30,7 @@ fn polygon(corners: &[[f64; 3]], rise: f64, more: &str) -> String {
 /// Corners at equal angles, every second one `share` as far from the middle as the others.
 fn star(count: usize, share: f64) -> Vec<[f64; 3]> {
     let corner = |index: usize| {
-        let (angle, radius) = (TAU * index as f64 / count as f64, if index % 2 == 0 { 1.0 } else { share });
+        let (angle, radius) = (TAU * index as f64 / count as f64, if index.is_multiple_of(2) { 1.0 } else { share });
         [radius * angle.cos(), radius * angle.sin(), 0.0]
     };
     (0..count).map(corner).collect()
