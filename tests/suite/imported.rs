@@ -399,6 +399,21 @@ fn surface_that_is_open_by_more_stays_as_it_is_and_says_why() {
 }
 
 #[test]
+fn closing_does_not_depend_on_the_unit_of_length() {
+    let (_, torn) = almost_closed(1e-10, 2);
+    let [u, v] = torn.knots();
+    let plain = torn.transposed().closed_in_u(1e-9);
+    for power in [-600, 600] {
+        let unit = 2.0_f64.powi(power);
+        let net = torn.net().iter().map(|point| point.map(|x| x * unit)).collect();
+        let scaled = BsplineSurface::new(u.clone(), v.clone(), net).expect("a surface").transposed();
+        let closed = scaled.closed_in_u(1e-9 * unit);
+        assert_eq!((closed.seam, closed.moved), (plain.seam, plain.moved * unit));
+        assert_eq!(scaled.closed_in_u(1e-12 * unit).seam, None);
+    }
+}
+
+#[test]
 fn step_file_closes_within_the_distance_that_it_calls_one_place() {
     let (whole, torn) = almost_closed(2e-8, 1);
     let mut bytes = Vec::new();

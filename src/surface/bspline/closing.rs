@@ -9,8 +9,8 @@ use nalgebra::DMatrix;
 use super::{BsplineSurface, add_scaled};
 use crate::numeric::LinearSystem;
 
-/// Of the largest coordinate: what rounding leaves of one curve.
-const ROUNDING: f64 = 1e-12;
+/// Of the largest coordinate: what rounding leaves of one curve, some forty times the spacing of doubles.
+const ROUNDING: f64 = 1e-14;
 
 /// Of the largest derivative of its order: what differs by more is a corner, however short the spans beside it are.
 const CORNER: f64 = 1e-3;
@@ -40,7 +40,8 @@ impl BsplineSurface {
             let Some(corrections) = clamped.corrections(order) else { break };
             let moved = largest(&corrections);
             let is_rounding = moved <= ROUNDING * self.size();
-            if !(is_rounding || moved <= 0.5 * tolerance && !clamped.has_corner(order)) {
+            let is_allowed = moved.is_finite() && moved <= 0.5 * tolerance;
+            if !(is_rounding || is_allowed && !clamped.has_corner(order)) {
                 break;
             }
             closing.seam = Some(order);
@@ -122,6 +123,7 @@ fn less([x, y, z]: &[f64; 3], [a, b, c]: &[f64; 3]) -> [f64; 3] {
 
 /// The length of the longest vector; infinite if one is no number.
 fn largest(vectors: &[[f64; 3]]) -> f64 {
-    let lengths = vectors.iter().map(|[x, y, z]| libm::sqrt(x * x + y * y + z * z));
+    // Squares would lose surfaces that are very large or very small.
+    let lengths = vectors.iter().map(|[x, y, z]| libm::hypot(libm::hypot(*x, *y), *z));
     lengths.fold(0.0, |most, length| if length.is_nan() { f64::INFINITY } else { most.max(length) })
 }
