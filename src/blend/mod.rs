@@ -17,7 +17,7 @@ use crate::resolve::{resolve, set_parameter};
 use crate::surface::{Bump, DeformedSurface};
 use crate::syntax;
 use crate::threads;
-use crate::verify::{Programs, Verification, check_deformations, refuse_poles, verify_with};
+use crate::verify::{Programs, Verification, check_deformations, find_fold, refuse_poles, verify_with};
 
 /// A compiled document with its current parameter values.
 pub struct Blend {
@@ -355,6 +355,9 @@ impl Prepared {
         if self.choice.is_automatic && is_two_sided && residual > LARGE_RESIDUAL {
             plain.report.warnings.push(self.large_residual(&plain, residual, t));
         }
+        if !is_two_sided && let Some(place) = find_fold(&*plain.surface, &self.domain, t)? {
+            plain.report.warnings.push(self.folded(place, t));
+        }
         if self.bumps.is_empty() {
             return Ok((plain, measured));
         }
@@ -416,9 +419,21 @@ impl Prepared {
             "the surface meets its boundary but not its equation: `{method}` leaves {residual:.1e} of the largest term at t = {}",
             Shortest(t)
         );
+        let help = match &solution.report.limit {
+            Some(limit) => format!("{}: `--limits` raises it, and smoother data or coefficients need fewer terms", limit.message),
+            None => "more terms, smoother data or coefficients may help; a method that is named in `solve` is taken as it is".to_owned(),
+        };
         Diagnostic::new(Code::LargeResidual, message)
             .at(self.patch().operator.origin.or(self.patch().boundary_origin()))
-            .hint("more terms, smoother data or coefficients may help; a method that is named in `solve` is taken as it is")
+            .hint(help)
+    }
+
+    fn folded(&self, [u, v]: [f64; 2], t: f64) -> Diagnostic {
+        let (name, t) = (&self.patch().name, Shortest(t));
+        let message = format!("`{name}` folds back over itself near u = {u:.3}, v = {v:.3} at t = {t}");
+        Diagnostic::new(Code::PatchFolded, message)
+            .at(self.patch().boundary_origin())
+            .hint("tangents lead into the patch, and no corner of it is wider than 180 degrees: divide a loop at such a corner")
     }
 
     /// Measures a solution at instant `t` against the problem.

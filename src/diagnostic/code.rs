@@ -142,6 +142,7 @@ codes! {
     BadSplineFile = "E0609", Error, Source, "A file of B-splines cannot be read.";
     LayersDisagree = "E0610", Error, Source, "Boundary layers of a net give one control point two places.";
     NoArea = "E0611", Error, Source, "A surface has no area.";
+    EdgesNearlyMeet = "N0612", Note, Source, "An imported surface closes but for a small gap.";
     SidesDisagree = "E0701", Error, Source, "The sides of a patch do not fit together in a corner.";
     TwistsDisagree = "N0702", Note, Source, "The sides of a patch have different twists in a corner.";
     NotElliptic = "W0703", Warning, Numerical, "The equation is not elliptic, and data stand on all four sides.";
@@ -156,6 +157,7 @@ codes! {
     ShapeLost = "E0713", Error, Source, "Rounding leaves too little of a shape.";
     LoopFolded = "E0714", Error, Source, "A loop of edges folds back on itself.";
     SeamWithoutEdge = "E0715", Error, Source, "A seam does not join two edges.";
+    PatchFolded = "W0716", Warning, Source, "A patch folds back over itself.";
     LimitReached = "E0901", Error, Limit, "A limit was reached.";
     HostUnsupported = "N0902", Note, Host, "The machine lacks something; the work goes on another way.";
     OutputFailed = "E0903", Error, Output, "Writing a result failed.";

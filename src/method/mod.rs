@@ -129,6 +129,8 @@ pub struct Report {
     pub rank: usize,
     /// The sum of their unknowns; equal to the rank unless something was left undetermined.
     pub unknowns: usize,
+    /// The limit that ended the search for more terms: what was found up to there stands.
+    pub limit: Option<Diagnostic>,
     /// What the user should know.
     pub warnings: Diagnostics,
 }

@@ -2,7 +2,7 @@
 
 use super::Bindings;
 use super::domain::interval;
-use crate::diagnostic::{Diagnostic, Span};
+use crate::diagnostic::{Diagnostic, Diagnostics, Span};
 use crate::expr::{ExprId, Graph, Variable};
 
 /// A surface that patches may join, in its own two parameters and time.
@@ -20,6 +20,8 @@ pub struct PrimarySurface {
     pub range_origins: [Option<Span>; 2],
     /// Where it is named.
     pub origin: Option<Span>,
+    /// What there is to say of the file that it comes from.
+    pub remarks: Diagnostics,
 }
 
 impl PrimarySurface {

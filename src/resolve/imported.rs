@@ -1,7 +1,8 @@
 //! `surface S1 = bspline("part.step", face = 2)`: a primary surface from a file of B-splines.
 //!
 //! Its parameters u and v are those of its knots, which are its ranges. Where its two edges are one curve it repeats itself
-//! with that period; beyond its knots otherwise there is no surface.
+//! with that period; beyond its knots otherwise there is no surface. Edges that are one but for the digits of the file are
+//! made one, and it is said how far control points moved.
 
 use std::rc::Rc;
 use std::sync::Arc;
@@ -10,16 +11,47 @@ use super::curve;
 use super::reading::Reading;
 use super::scope::{Meaning, Scope};
 use super::surface::SurfaceMeaning;
-use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 use crate::expr::{Number, SplineCall, Variable};
 use crate::limits::Limits;
 use crate::problem::PrimarySurface;
 use crate::surface::BsplineSurface;
-use crate::surface::bspline::{from_json, from_step};
+use crate::surface::bspline::{Closing, from_json, from_step, uncertainty};
 use crate::syntax::ast::{DataFile, Definition, Kind, Name};
 
 /// The names of the parameters.
 const PARAMETERS: [&str; 2] = ["u", "v"];
+
+/// Of the breadth between two edges: those that are nearer to each other are one, whatever the file says of itself. Files
+/// with ten digits leave less.
+const ONE_EDGE: f64 = 1e-9;
+
+/// Of that breadth: no file may mean more by one place, in whatever unit it says so.
+const COARSEST: f64 = 1e-6;
+
+/// Of that breadth: whoever leaves a smaller gap may have meant none.
+const NEARLY: f64 = 1e-3;
+
+/// What a file holds.
+struct Contents {
+    /// With their names.
+    surfaces: Vec<(String, BsplineSurface)>,
+    /// Below which distance two points are one.
+    uncertainty: Option<f64>,
+}
+
+/// A surface from a file, with what its file says of it.
+struct Imported {
+    surface: BsplineSurface,
+    uncertainty: Option<f64>,
+}
+
+/// A surface that is closed where its edges are one.
+struct Closed {
+    surface: BsplineSurface,
+    seams: [Option<usize>; 2],
+    remarks: Diagnostics,
+}
 
 /// Declares a `surface` from a file, of which `face` says which, from 1.
 pub fn declare(definition: &Definition, face: Option<usize>, scope: &mut Scope<'_>, reading: &mut Reading<'_>) {
@@ -27,20 +59,21 @@ pub fn declare(definition: &Definition, face: Option<usize>, scope: &mut Scope<'
     let Kind::Text(path) = &node.kind else { return };
     let name = &definition.name.text;
     let file = reading.files.iter().find(|file| file.path == *path);
-    let surface = surface(path, file, face, reading.limits).and_then(|surface| {
-        let splines = surface.splines(name, PARAMETERS).ok_or_else(|| {
+    let surface = surface(path, file, face, reading.limits).and_then(|imported| {
+        let closed = closed(imported, &definition.name);
+        let splines = closed.surface.splines(name, PARAMETERS, closed.seams).ok_or_else(|| {
             Diagnostic::new(Code::BadSplineFile, format!("{path}: the values of the B-spline overflow")).hint(
                 "knots very close together, or coordinates near the largest double, leave no numbers to compute with",
             )
         })?;
-        Ok((surface, splines))
+        Ok((closed, splines))
     });
     let meaning = match reading.keep(surface.map_err(|finding| finding.at(node.span))) {
         None => Meaning::Faulty,
         Some((surface, splines)) => {
             let which = face.map_or_else(String::new, |face| format!(", face = {face}"));
             reading.data.push(format!("surface {name} = bspline(\"{path}\"{which})"));
-            imported(definition, &surface, splines, reading)
+            imported(definition, surface, splines, reading)
         }
     };
     let declared = scope.declare(&definition.name, meaning);
@@ -49,7 +82,7 @@ pub fn declare(definition: &Definition, face: Option<usize>, scope: &mut Scope<'
 
 fn imported(
     definition: &Definition,
-    surface: &BsplineSurface,
+    Closed { surface, remarks, .. }: Closed,
     splines: [SplineCall; 3],
     reading: &mut Reading<'_>,
 ) -> Meaning {
@@ -65,22 +98,60 @@ fn imported(
         ranges,
         range_origins: [None; 2],
         origin: Some(definition.name.span),
+        remarks,
     });
     let parameters = PARAMETERS.map(|name| Name { text: name.to_owned(), span: Span::default() }).to_vec();
     Meaning::Surface(Rc::new(SurfaceMeaning { index: Some(index), parameters, position }))
 }
 
+/// The surface with the edges made one that are one.
+fn closed(Imported { mut surface, uncertainty }: Imported, name: &Name) -> Closed {
+    let mut seams = [None; 2];
+    let mut remarks = Diagnostics::new();
+    for (seam, parameter) in seams.iter_mut().zip(PARAMETERS) {
+        // The other direction's turn comes with the second exchange.
+        let breadth = surface.breadth_in_u();
+        let stated = uncertainty.map_or(0.0, |uncertainty| uncertainty.min(COARSEST * breadth));
+        let tolerance = stated.max(ONE_EDGE * breadth);
+        let closing = surface.closed_in_u(tolerance);
+        remarks.extend(
+            remark(&closing, (&name.text, parameter), [tolerance, breadth]).map(|finding| finding.at(name.span)),
+        );
+        *seam = closing.seam;
+        surface = closing.surface.transposed();
+    }
+    Closed { surface, seams, remarks }
+}
+
+/// What there is to say of edges that were moved together, or are nearly one.
+fn remark(closing: &Closing, (name, parameter): (&str, &str), [tolerance, breadth]: [f64; 2]) -> Option<Diagnostic> {
+    let Closing { seam, gap, moved, .. } = closing;
+    let finding = |message: String| Diagnostic::new(Code::EdgesNearlyMeet, message);
+    let edges = format!("the edges of `{name}` at both ends of {parameter}");
+    match seam {
+        Some(order) if *moved > 0.0 => Some(finding(format!(
+            "{edges} are up to {gap:.1e} apart and were made one: control points moved by up to {moved:.1e}, so that derivatives up to order {order} agree there"
+        ))),
+        None if *gap <= NEARLY * breadth => {
+            let message = format!(
+                "{edges} are up to {gap:.1e} apart, so that it is open there: edges are one within {tolerance:.1e}"
+            );
+            Some(
+                finding(message)
+                    .hint("close it in the program it comes from, or write more digits, if it is meant to close"),
+            )
+        }
+        _ => None,
+    }
+}
+
 /// The surface of a file that is meant.
-fn surface(
-    path: &str,
-    file: Option<&DataFile>,
-    face: Option<usize>,
-    limits: &Limits,
-) -> Result<BsplineSurface, Diagnostic> {
-    let mut found = read(curve::contents(path, file)?, path, limits).map_err(|mut finding| {
-        finding.message = format!("{path}: {}", finding.message);
-        finding
-    })?;
+fn surface(path: &str, file: Option<&DataFile>, face: Option<usize>, limits: &Limits) -> Result<Imported, Diagnostic> {
+    let Contents { surfaces: mut found, uncertainty } =
+        read(curve::contents(path, file)?, path, limits).map_err(|mut finding| {
+            finding.message = format!("{path}: {}", finding.message);
+            finding
+        })?;
     let count = found.len();
     let what = match count {
         1 => "1 B-spline surface".to_owned(),
@@ -99,14 +170,17 @@ fn surface(
         let finding = bad(format!("{path}: there is no face {}: it holds {what}", face.unwrap_or_default()));
         return Err(finding.hint("faces are counted from 1, in the order of the file"));
     }
-    Ok(found.swap_remove(index).1)
+    Ok(Imported { surface: found.swap_remove(index).1, uncertainty })
 }
 
-fn read(bytes: &Arc<[u8]>, path: &str, limits: &Limits) -> Result<Vec<(String, BsplineSurface)>, Diagnostic> {
+fn read(bytes: &Arc<[u8]>, path: &str, limits: &Limits) -> Result<Contents, Diagnostic> {
     let text = std::str::from_utf8(bytes).map_err(|_| {
         Diagnostic::new(Code::BadSplineFile, "it is no text").hint("files of B-splines are JSON or STEP")
     })?;
     let extension = path.rsplit_once('.').map_or("", |(_, extension)| extension);
     let is_step = ["step", "stp"].iter().any(|known| extension.eq_ignore_ascii_case(known));
-    if is_step { from_step(text, limits) } else { from_json(text, limits) }
+    Ok(match is_step {
+        true => Contents { surfaces: from_step(text, limits)?, uncertainty: uncertainty(text) },
+        false => Contents { surfaces: from_json(text, limits)?, uncertainty: None },
+    })
 }

@@ -9,10 +9,12 @@ use crate::problem::{Bindings, COMPONENTS, Problem};
 use crate::syntax::ast::{DefinitionKind, Document, Name, NetSource, Statements};
 
 /// Warnings about a document and the problem it resolved to, in source order: declarations that nothing uses,
-/// trimlines that are a point, tangents without length, and domains that miss the period of their data.
+/// trimlines that are a point, tangents without length, domains that miss the period of their data, and imported
+/// surfaces that close but for a gap.
 #[must_use]
 pub fn review(document: &Document, problem: &Problem) -> Diagnostics {
     let mut found: Diagnostics = unused(document);
+    found.extend(problem.surfaces.iter().flat_map(|surface| &surface.remarks).cloned());
     let bindings = Bindings::evaluate(problem).ok();
     for patch in &problem.patches {
         let missed = bindings.as_ref().and_then(|bindings| period::missed(problem, patch, bindings));

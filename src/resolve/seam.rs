@@ -91,7 +91,8 @@ fn seam_edge(
     let original = parts.original(index);
     let across = match edge.variable.text.as_str() {
         "u" => Variable::U,
-        "v" if patches.get(original).is_some_and(Patch::is_four_sided) => Variable::V,
+        // A net, behind the patches, has four sides.
+        "v" if patches.get(original).is_none_or(Patch::is_four_sided) => Variable::V,
         other => {
             let message = format!("patches meet at values of u, or of v if they have four sides, not of `{other}`");
             return Err(Diagnostic::new(Code::UnexpectedText, message).at(edge.variable.span).into());

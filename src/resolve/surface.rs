@@ -12,7 +12,7 @@ use super::form::{Form, components};
 use super::lower::{Lowering, plain};
 use super::reading::{Fault, Reading};
 use super::scope::{Meaning, Scope, Value};
-use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 use crate::expr::{Derivative, ExprId, Variable};
 use crate::problem::{COMPONENTS, PrimarySurface};
 use crate::syntax::ast::{Definition, Expression, Kind, Name, Partial, Range};
@@ -60,6 +60,7 @@ pub fn declare(definition: &Definition, ranges: &[Range], scope: &mut Scope<'_>,
                 ranges,
                 range_origins,
                 origin: Some(definition.name.span),
+                remarks: Diagnostics::new(),
             });
             Meaning::Surface(Rc::new(SurfaceMeaning { index: Some(index), parameters: parameters.clone(), position }))
         }

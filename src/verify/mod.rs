@@ -6,6 +6,7 @@
 
 mod apex;
 mod contact;
+mod fold;
 mod join;
 mod overlap;
 mod passed_over;
@@ -13,6 +14,7 @@ mod programs;
 mod seam;
 
 pub use apex::{ApexDeviation, verify_apexes};
+pub use fold::find_fold;
 pub use join::{JoinDeviation, verify_joins};
 pub use overlap::{Curve, Parts, common_part};
 pub use passed_over::{check_deformations, refuse_poles};

@@ -199,6 +199,13 @@ fn surface_of_auto_that_does_not_solve_its_equation_is_warned_of_by_every_comman
     for output in [trimline(&["solve", &spec]), trimline(&["check", &spec]), mesh] {
         assert_eq!(text(&output.stderr).matches("W0417").count(), 1, "{}", text(&output.stderr));
     }
+    // More terms were not tried, and not for lack of use.
+    let limited = trimline(&["solve", &spec, "--limits", "operations=100000"]);
+    let told = text(&limited.stderr);
+    assert!(
+        told.contains("W0417") && told.contains("above the limit `operations` of 100000: `--limits` raises it"),
+        "{told}"
+    );
     // Whoever names the method judges for himself.
     assert!(!text(&trimline(&["solve", &spec, "--method", "legendre"]).stderr).contains("W0417"));
 }

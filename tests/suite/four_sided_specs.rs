@@ -72,6 +72,10 @@ fn specs_without_separable_surfaces_are_checked_and_meshed_and_emitted_as_spline
         assert!(deviation > 0.0 && deviation <= 1e-5, "{deviation}");
         let refused = trimline(&["emit", &example(spec), "--lang", "c", "--within", "-1"]);
         assert!(status(&refused) == 2 && text(&refused.stderr).contains("no positive length"));
+        let refused = trimline(&["emit", &example(spec), "--lang", "c", "--within", "1e-30"]);
+        assert_eq!(status(&refused), 2, "{}", text(&refused.stderr));
+        let errors = text(&refused.stderr);
+        assert!(errors.contains("--within") && errors.contains("ask for") && errors.contains("or more"), "{errors}");
     }
 }
 

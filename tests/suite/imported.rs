@@ -7,11 +7,11 @@ use trimline::diagnostic::{Code, Diagnostics, Source};
 use trimline::export::{CadFormat, Face, Schema, write_cad};
 use trimline::limits::Limits;
 use trimline::method::{Options, Solution};
-use trimline::surface::BsplineSurface;
 use trimline::surface::bspline::{from_json, from_step, to_json};
+use trimline::surface::{BsplineSurface, KnotVector};
 use trimline::verify::verify_joins;
 
-use crate::bspline::{cox_de_boor, distance, random_knots, random_points};
+use crate::bspline::{cox_de_boor, distance, random, random_knots, random_points};
 use crate::spec::{at, data_file, example};
 
 fn compiled(text: &str, files: &[(&str, &str)]) -> Result<Blend, Diagnostics> {
@@ -318,4 +318,130 @@ fn data_beyond_the_knots_are_refused_with_the_range() {
     let found = blend.set("a", "2").expect_err("beyond");
     assert!(found[0].message.starts_with("`A` is asked for at u = 2, outside"), "{found:?}");
     solved(&blend, 0.0);
+}
+
+/// The body of the glass, which closes in v, with noise of that size on its last columns, and the finding about it.
+fn almost_closed(noise: f64, columns: usize) -> (BsplineSurface, BsplineSurface) {
+    let glass = String::from_utf8(data_file("glass.json").expect("an example's file")).expect("a text");
+    let whole = read_json(&glass, 1);
+    let [u, v] = whole.knots();
+    let mut next = random(3);
+    let mut net = whole.net().to_vec();
+    for row in net.chunks_mut(v.points()) {
+        let last = row.iter_mut().rev().take(columns);
+        last.for_each(|point| point.iter_mut().for_each(|x| *x += noise * next()));
+    }
+    let torn = BsplineSurface::new(u.clone(), v.clone(), net).expect("a surface");
+    (whole, torn)
+}
+
+fn remarks(blend: &Blend) -> Vec<String> {
+    blend.problem.surfaces.iter().flat_map(|surface| &surface.remarks).map(ToString::to_string).collect()
+}
+
+const ROUND: &str = "surface S1 = bspline(\"part.json\")\n\
+    at u = 0: S = S1(0, v + 1), ∂S/∂u = -∂S1(0, v + 1)/∂u\n\
+    at u = 1: S = [cos v, sin v, 5], ∂S/∂u = [0, 0, 1]\n";
+
+#[test]
+fn surface_that_closes_but_for_digits_is_made_periodic_and_says_how_far_it_moved() {
+    for (noise, columns) in [(1e-10, 1), (1e-10, 5), (3e-11, 2)] {
+        let (_, torn) = almost_closed(noise, columns);
+        let closed = torn.transposed().closed_in_u(1e-9);
+        assert_eq!(closed.seam, Some(4), "{noise}, {columns}");
+        // Each side takes half of the way; derivatives of order k ask for 2^k of it.
+        assert!(closed.moved >= 0.2 * noise && closed.moved <= 4.0 * noise, "{:e}", closed.moved);
+        let surface = closed.surface.transposed();
+        for (point, before) in surface.net().iter().zip(torn.net()) {
+            assert!(distance(*point, *before) <= closed.moved, "{point:?} {before:?}");
+        }
+        let [_, [low, high]] = surface.domain();
+        for u in along(surface.domain()[0]).map(|u| u.min(1.0 - 1e-13)) {
+            for order in 0..=4 {
+                // The recursive definition is of half-open spans, so the end is the start of what is reversed.
+                let back = definition(&surface.reversed_v(), [0, order], [u, -high])
+                    .map(|x| if order % 2 == 0 { x } else { -x });
+                let there = definition(&surface, [0, order], [u, low]);
+                let size = there.iter().fold(1.0_f64, |most, x| most.max(x.abs()));
+                assert!(distance(there, back) <= 1e-11 * size, "{order} at {u}: {there:?} {back:?}");
+            }
+        }
+        let file = to_json(&[("part", &torn)]).expect("JSON");
+        let blend = blend(ROUND, &[("part.json", &file)]);
+        let told = remarks(&blend);
+        let [told] = told.as_slice() else { panic!("{told:?}") };
+        assert!(told.contains("N0612") && told.contains(&format!("moved by up to {:.1e}", closed.moved)), "{told}");
+        let solution = solved(&blend, 0.0);
+        for v in along([0.0, std::f64::consts::TAU]) {
+            let there = (v + 1.0).rem_euclid(std::f64::consts::TAU);
+            let found = at(&*solution.surface, "", [0.0, v, 0.0]);
+            let gap = distance(found, definition(&torn, [0, 0], [0.0, there]));
+            assert!(gap <= closed.moved + 1e-11, "{v}: {gap:e}");
+        }
+    }
+}
+
+#[test]
+fn surface_that_is_open_by_more_stays_as_it_is_and_says_why() {
+    let (_, torn) = almost_closed(1e-6, 1);
+    let file = to_json(&[("part", &torn)]).expect("JSON");
+    let found = compiled(ROUND, &[("part.json", &file)]).err().expect("beyond the knots");
+    assert_eq!(found[0].code, Code::PointOutsideDomain);
+    let inside = ROUND.replace("v + 1", "v");
+    let blend = blend(&inside, &[("part.json", &file)]);
+    let told = remarks(&blend);
+    let [told] = told.as_slice() else { panic!("{told:?}") };
+    assert!(told.contains("at both ends of v") && told.contains("open there"), "{told}");
+    let [_, [_, high]] = torn.domain();
+    let v = high - 1e-13;
+    let found = at(&*solved(&blend, 0.0).surface, "", [0.0, v, 0.0]);
+    assert!(distance(found, definition(&torn, [0, 0], [0.0, v])) <= 1e-11);
+}
+
+#[test]
+fn closing_does_not_depend_on_the_unit_of_length() {
+    let (_, torn) = almost_closed(1e-10, 2);
+    let [u, v] = torn.knots();
+    let plain = torn.transposed().closed_in_u(1e-9);
+    for power in [-600, 600] {
+        let unit = 2.0_f64.powi(power);
+        let net = torn.net().iter().map(|point| point.map(|x| x * unit)).collect();
+        let scaled = BsplineSurface::new(u.clone(), v.clone(), net).expect("a surface").transposed();
+        let closed = scaled.closed_in_u(1e-9 * unit);
+        assert_eq!((closed.seam, closed.moved), (plain.seam, plain.moved * unit));
+        assert_eq!(scaled.closed_in_u(1e-12 * unit).seam, None);
+    }
+}
+
+#[test]
+fn step_file_closes_within_the_distance_that_it_calls_one_place() {
+    let (whole, torn) = almost_closed(2e-8, 1);
+    let mut bytes = Vec::new();
+    write_cad("model", &[Face { name: "part".to_owned(), surface: torn }], CadFormat::Step(Schema::Ap214), &mut bytes)
+        .expect("a file");
+    let file = String::from_utf8(bytes).expect("a text");
+    let text = ROUND.replace("part.json", "part.step");
+    assert!(file.contains("LENGTH_MEASURE(1.E-7)"), "{file}");
+    let told = |file: &str| compiled(&text, &[("part.step", file)]).map(|blend| remarks(&blend).concat());
+    assert!(told(&file).expect("closed").contains("were made one"));
+    // A file that means more than there is of it, and ones that say less or nothing.
+    let size = whole.transposed().breadth_in_u();
+    assert!(told(&file.replace("1.E-7", "1.E3")).expect("closed").contains("were made one"));
+    assert!(told(&file.replace("1.E-7", "1.E-9")).is_err() && told(&file.replace("UNCERTAINTY", "X")).is_err());
+    let (_, wide) = almost_closed(4e-6 * size, 1);
+    assert_eq!(wide.transposed().closed_in_u(1e-6 * size).seam, None);
+}
+
+#[test]
+fn corner_at_the_seam_stays_a_corner_however_short_the_spans_beside_it() {
+    // A drop: it closes at [0, 0], where it has a corner of 90 degrees, between spans of 1e-10.
+    let short = 1e-10;
+    let u = KnotVector::clamped(2, &[0.0, short, 1.0 - short, 1.0]).expect("knots");
+    let v = KnotVector::clamped(1, &[0.0, 1.0]).expect("knots");
+    let line = [[0.0, 0.0], [short, short], [1.0, 1.0], [short, -short], [0.0, 0.0]];
+    let net = line.iter().flat_map(|[x, y]| [[*x, *y, 0.0], [*x, *y, 1.0]]).collect();
+    let drop = BsplineSurface::new(u, v, net).expect("a surface");
+    let closed = drop.closed_in_u(1e-9);
+    assert_eq!((closed.seam, closed.moved), (Some(0), 0.0));
+    assert_eq!(closed.surface, drop);
 }

@@ -247,8 +247,11 @@ fn copy_so_far_away_that_no_digits_of_it_remain_is_refused() {
     let folder = Folder::new();
     for (plane, is_lost) in [("1e300", true), ("1e12", true), ("1e5", false)] {
         let text = BLADES.lines().take(6).chain(["mirror blade in y = "]).collect::<Vec<_>>().join("\n");
-        let checked = trimline(&["check", &folder.spec(format!("{text}{plane}"))]);
-        assert_eq!(text_of(&checked).contains("E0713"), is_lost, "{plane}: {}", text_of(&checked));
+        let spec = folder.spec(format!("{text}{plane}"));
+        for chosen in [&[][..], &["--patch", "blade_mirrored"]] {
+            let checked = trimline(&[&["check", &spec], chosen].concat());
+            assert_eq!(text_of(&checked).contains("E0713"), is_lost, "{plane}: {}", text_of(&checked));
+        }
     }
 }
 

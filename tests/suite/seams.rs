@@ -121,3 +121,82 @@ fn stated_part_that_is_open_fails_with_the_distance() {
         text(&output.stderr)
     );
 }
+
+/// A flat net over x in [0, 2] that ends at y = 0 where v = 1, and nets that go on from there as `[x, y, 0.3 x y]`; linear
+/// functions of the Greville points are the surface itself.
+fn nets(statement: &str) -> String {
+    format!(
+        "domain u in [0, 2], v in [0, 1]
+bspline deck {{
+    net 5 x 4 from [u, v - 1, 0]
+}}
+bspline onward {{
+    net 5 x 6 from [u, v, 0.3 u v]
+}}
+{statement}\n"
+    )
+}
+
+#[test]
+fn sides_of_nets_at_fixed_v_are_measured_whichever_coordinates_meet_there() {
+    // Twisted by 0.3 x across the edge: steepest at x = 2.
+    let expected = 0.6_f64.atan().to_degrees();
+    let swapped = "domain u in [0, 1], v in [0, 2]\n    net 4 x 5 from [v, u, 0.3 v u]";
+    let against = "net 5 x 6 from [2 - u, 1 - v, 0.3 (2 - u) (1 - v)]";
+    for (side, stated) in [("v = 0", None), ("u = 0", Some(swapped)), ("v = 1", Some(against))] {
+        let change = |spec: String| {
+            spec.replace("net 5 x 6 from [u, v, 0.3 u v]", stated.unwrap_or("net 5 x 6 from [u, v, 0.3 u v]"))
+        };
+        for is_stated in [false, true] {
+            let statement = if is_stated { format!("seam deck at v = 1 with onward at {side}") } else { String::new() };
+            let found = seams(&change(nets(&statement)));
+            let [seam] = found.as_slice() else { panic!("{side}: {found:?}") };
+            assert_eq!(seam["stated"], is_stated);
+            assert_eq!(seam["between"][0]["v"], 1.0);
+            let (name, position) = side.split_once(" = ").expect("a side");
+            assert_eq!(seam["between"][1][name].as_f64(), position.parse().ok());
+            assert!(seam["gap"].as_f64().expect("a gap") < 1e-15, "{seam}");
+            // Tangents of size 1, with a few roundings.
+            assert!((seam["angle_degrees"].as_f64().expect("an angle") - expected).abs() < 1e-12, "{seam}");
+        }
+    }
+}
+
+#[test]
+fn part_of_a_side_of_a_net_meets_a_patch_and_a_copy_of_a_net() {
+    let strip = "patch strip {
+    domain u in [0, 1], v in [0, 1]
+    pde ∂⁴S/∂u⁴ = 0
+    at u = 0: S = [0.5 + v, -1, 0], ∂S/∂u = [0, -1, -0.5]
+    at u = 1: S = [0.5 + v, -2, -0.5], ∂S/∂u = [0, -1, -0.5]
+}
+mirror deck in y = 0
+seam deck at v = 0, u in [0.5, 1.5] with strip at u = 0
+seam deck at v = 1 with deck_mirrored at v = 1";
+    let found = seams(&nets(strip).replace("[u, v, 0.3 u v]", "[u, v, 5 + u v]"));
+    let [of_strip, of_copy] = found.as_slice() else { panic!("{found:?}") };
+    assert_part(&of_strip["between"][0], "deck", Some([0.25, 0.75]));
+    assert!((of_strip["angle_degrees"].as_f64().expect("an angle") - 0.5_f64.atan().to_degrees()).abs() < 1e-12);
+    assert_eq!((&of_copy["between"][1]["patch"], &of_copy["between"][1]["v"]), (&"deck_mirrored".into(), &1.0.into()));
+    for seam in &found {
+        assert!(seam["stated"] == true && seam["gap"].as_f64().expect("a gap") < 1e-15, "{seam}");
+    }
+}
+
+#[test]
+fn seams_of_nets_are_bounded_and_refused_where_there_is_no_edge() {
+    let folder = Folder::new();
+    let lifted = "[u, v, 0.3 u v + 0.01]";
+    let open = folder.spec(nets("seam deck at v = 1 with onward at v = 0").replace("[u, v, 0.3 u v]", lifted));
+    let output = trimline(&["check", &open]);
+    assert_eq!(status(&output), 1);
+    assert!(text(&output.stderr).contains("they are up to 1.0e-2 apart"), "{}", text(&output.stderr));
+    let creased = folder.spec(nets(""));
+    assert_eq!(status(&trimline(&["check", &creased, "--max-gap", "1e-12"])), 0);
+    let output = trimline(&["check", &creased, "--max-angle", "30"]);
+    assert_eq!(status(&output), 1);
+    assert!(text(&output.stdout).contains("seam deck at v = 1 with onward at v = 0"), "{}", text(&output.stdout));
+    assert_eq!(status(&trimline(&["check", &creased, "--max-angle", "31"])), 0);
+    let output = trimline(&["check", &folder.spec(nets("seam deck at v = 0.5 with onward at v = 0"))]);
+    assert!(text(&output.stderr).contains("`deck` has no edge at v = 0.5"), "{}", text(&output.stderr));
+}

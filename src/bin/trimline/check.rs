@@ -264,6 +264,10 @@ fn check(path: &str, arguments: &Arguments, findings: &mut Findings<'_>) -> Resu
         if let Part::Copy(copied) = part {
             let original = copied.original.name().to_owned();
             copies.push(CopyReport { name: part.name().to_owned(), original });
+            if copied.stands_in {
+                // No seam needs it where it is, perhaps too far away.
+                times.iter().try_for_each(|time| spec.shape(part, *time).map(drop))?;
+            }
         }
         let part = measured_part(part);
         let patched = match part {

@@ -51,7 +51,7 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
         let message = "a file holds one patch: name it with --patch";
         return Err(Failure::Usage(format!("{message}; patches: {}", names.join(", "))));
     };
-    let within = arguments.within.as_deref().map(length).transpose()?;
+    let within = arguments.within.as_deref().map(Within::read).transpose()?;
     let formula = formula(&spec, part, part.instant(arguments.solving.time)?, within, terminal)?;
     let text = emit(&formula, language).map_err(|finding| spec.fault(finding))?;
     match &arguments.output {
@@ -67,7 +67,13 @@ pub fn run(arguments: &Arguments, terminal: &Terminal) -> Outcome {
 }
 
 /// The formula of a part at `time`; with `within`, of one that has none, a B-spline that is no farther away than that.
-fn formula(spec: &Spec, part: &Part, time: f64, within: Option<f64>, terminal: &Terminal) -> Result<Formula, Failure> {
+fn formula(
+    spec: &Spec,
+    part: &Part,
+    time: f64,
+    within: Option<Within<'_>>,
+    terminal: &Terminal,
+) -> Result<Formula, Failure> {
     let domain = *part.domain();
     match part {
         Part::Copy(copied) => {
@@ -91,10 +97,15 @@ fn formula(spec: &Spec, part: &Part, time: f64, within: Option<f64>, terminal: &
             match (solution.separable().and_then(exact), within) {
                 (Ok(formula), _) => Ok(formula),
                 (Err(finding), None) => Err(fault(finding)),
-                (Err(_), tolerance) => {
+                (Err(_), Some(within)) => {
                     let target = Target { name: part.name(), surface: &*solution.surface, u: domain.u, v: domain.v };
-                    let settings = Settings { tolerance, ..Settings::default() };
-                    let fitted = fit(&[target], time, &settings, &spec.limits).map_err(fault)?.into_iter().next();
+                    let settings = Settings { tolerance: Some(within.length), ..Settings::default() };
+                    let fitted =
+                        fit(&[target], time, &settings, &spec.limits).map_err(|finding| match finding.code {
+                            Code::SettingOutOfRange => option_finding("within", within.text, finding),
+                            _ => fault(finding),
+                        })?;
+                    let fitted = fitted.into_iter().next();
                     let fitted = fitted.ok_or_else(|| Failure::Machine("a patch was not fitted".to_owned()))?;
                     let instant = patch.moves(&spec.problem.graph).then_some(time);
                     Ok(Formula::of_net(part.name(), fitted.surface, domain, instant, Some(fitted.deviation)))
@@ -104,10 +115,19 @@ fn formula(spec: &Spec, part: &Part, time: f64, within: Option<f64>, terminal: &
     }
 }
 
-fn length(text: &str) -> Result<f64, Failure> {
-    let number = text.parse::<f64>().ok().filter(|number| number.is_finite() && *number > 0.0);
-    number.ok_or_else(|| {
-        let finding = Diagnostic::new(Code::SettingOutOfRange, format!("`{text}` is no positive length"));
-        option_finding("within", text, finding.hint("for example --within 1e-6"))
-    })
+/// The distance that a B-spline may have from a patch, as it was given.
+#[derive(Clone, Copy)]
+struct Within<'a> {
+    text: &'a str,
+    length: f64,
+}
+
+impl Within<'_> {
+    fn read(text: &str) -> Result<Within<'_>, Failure> {
+        let length = text.parse::<f64>().ok().filter(|number| number.is_finite() && *number > 0.0);
+        length.map(|length| Within { text, length }).ok_or_else(|| {
+            let finding = Diagnostic::new(Code::SettingOutOfRange, format!("`{text}` is no positive length"));
+            option_finding("within", text, finding.hint("for example --within 1e-6"))
+        })
+    }
 }

@@ -22,7 +22,7 @@ pub trait Located {
 
     fn domain(&self) -> &DomainValues;
 
-    /// Whether data stand at fixed v as well.
+    /// Whether data stand at fixed v as well, so that its ends in v are edges.
     fn is_four_sided(&self) -> bool;
 
     /// The instant the user asked for, which must lie in the time domain, or the domain's start.
@@ -107,7 +107,7 @@ impl Located for Part {
     fn is_four_sided(&self) -> bool {
         match self {
             Part::Patch(patch) => patch.is_four_sided(),
-            Part::Net(_) => false,
+            Part::Net(_) => true,
             Part::Copy(copied) => copied.original.is_four_sided(),
         }
     }

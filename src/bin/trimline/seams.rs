@@ -52,6 +52,7 @@ pub struct SeamReport {
     pub angle_degrees: Option<f64>,
     /// The edges among the patches that were measured, and the gap along each at the last instant.
     #[serde(skip)]
+    #[cfg_attr(not(feature = "view"), expect(dead_code, reason = "only the view colours edges"))]
     pub along: [(Place, Vec<f64>); 2],
 }
 

@@ -219,6 +219,7 @@ impl Solver for ExactSolver {
             truncation: None,
             rank: unknowns,
             unknowns,
+            limit: None,
             warnings,
         };
         Ok(Solution { surface: Arc::new(surface), report })

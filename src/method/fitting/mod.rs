@@ -307,6 +307,7 @@ impl Fitting {
             truncation: None,
             rank: 0,
             unknowns: 0,
+            limit: None,
             warnings: self.equation.note.iter().cloned().collect::<Diagnostics>(),
         }
     }

@@ -387,6 +387,7 @@ impl FourSidedSolver {
             amplification: Some(1.0),
             rank: 0,
             unknowns: 0,
+            limit: None,
             warnings: self.note.iter().cloned().collect::<Diagnostics>(),
         }
     }

@@ -203,6 +203,7 @@ impl Solver for FourierSolver {
             }),
             rank: unknowns,
             unknowns,
+            limit: None,
             warnings,
         };
         Ok(Solution { surface: Arc::new(surface), report })

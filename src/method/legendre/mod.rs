@@ -146,7 +146,10 @@ impl Solver for LegendreSolver {
             let plan = match self.plan(terms) {
                 Ok(plan) => plan,
                 // What was found stands; more is not allowed.
-                Err(finding) if finding.class() == Class::Limit => break,
+                Err(finding) if finding.class() == Class::Limit => {
+                    best.solution.report.limit = Some(finding);
+                    break;
+                }
                 Err(finding) => return Err(finding),
             };
             let (fitted, residual) = self.fitted(&plan, numbers)?;

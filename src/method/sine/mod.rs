@@ -237,6 +237,7 @@ impl SineSolver {
             truncation: None,
             rank: 0,
             unknowns: 0,
+            limit: None,
             warnings: self.equation.note.iter().cloned().collect::<Diagnostics>(),
         }
     }

@@ -373,6 +373,7 @@ impl StaticSolver {
             truncation: None,
             rank: 0,
             unknowns: 0,
+            limit: None,
             warnings: self.note.iter().cloned().collect::<Diagnostics>(),
         }
     }

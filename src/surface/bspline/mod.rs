@@ -6,6 +6,7 @@
 //! Own code and not a library of NURBS: a text decides the knots here, so each refusal is a finding with a code; and what
 //! is needed is this folder (docs/bspline.md, Decisions).
 
+mod closing;
 mod curve;
 mod insertion;
 mod json;
@@ -14,11 +15,12 @@ mod moving;
 mod splines;
 mod step;
 
+pub use closing::Closing;
 pub use curve::BsplineCurve;
 pub use json::{from_json, to_json};
 pub use knots::{KnotVector, LARGEST_DEGREE};
 pub use moving::MovingBspline;
-pub use step::from_step;
+pub use step::{from_step, uncertainty};
 
 use super::Surface;
 use crate::diagnostic::{Code, Diagnostic};

@@ -77,6 +77,22 @@ pub fn from_step(text: &str, limits: &Limits) -> Result<Vec<(String, BsplineSurf
     Ok(surfaces)
 }
 
+/// The largest of the distances below which two points of a STEP file are one, as the file states it in the unit of its
+/// coordinates; `None` if it states none.
+#[must_use]
+pub fn uncertainty(text: &str) -> Option<f64> {
+    let stated = instances(text).into_iter().filter(|(_, body)| body.contains("UNCERTAINTY_MEASURE_WITH_UNIT"));
+    let length = |(_, body): (u64, &str)| {
+        let tokens = tokens(body);
+        let at = tokens.iter().position(|token| *token == Token::Word("LENGTH_MEASURE"))?;
+        match tokens.get(at + 1..at + 3) {
+            Some([Token::Open, Token::Number(length)]) if length.is_finite() => Some(*length),
+            _ => None,
+        }
+    };
+    stated.filter_map(length).reduce(f64::max)
+}
+
 /// A finding with the number of the instance it is about.
 fn about(number: u64, finding: Diagnostic) -> Diagnostic {
     let renamed = Diagnostic::new(finding.code, format!("#{number}: {}", finding.message));

@@ -161,7 +161,10 @@ impl Located for Original {
     }
 
     fn is_four_sided(&self) -> bool {
-        matches!(self, Original::Patch(patched) if patched.is_four_sided())
+        match self {
+            Original::Patch(patched) => patched.is_four_sided(),
+            Original::Net(_) => true,
+        }
     }
 }
 
@@ -204,6 +207,9 @@ impl Located for Piece<'_> {
     }
 
     fn is_four_sided(&self) -> bool {
-        matches!(self.of, Of::Patch(patched, _) if patched.is_four_sided())
+        match self.of {
+            Of::Patch(patched, _) => patched.is_four_sided(),
+            Of::Net(..) => true,
+        }
     }
 }
