@@ -7,6 +7,7 @@
 
 mod equation;
 mod exact;
+mod exact_or_fourier;
 mod fitting;
 mod four_sided;
 mod fourier;
@@ -76,8 +77,9 @@ pub trait Solver: Send + Sync {
     /// Data that are not finite, or a system without a reliable solution.
     fn solve(&self, params: &[f64], ranges: [[f64; 2]; 2], t: f64) -> Result<Solution, Diagnostic>;
 
-    /// Whether a solution, and what is reported of it, is the same at every instant: an animation then needs one.
-    fn solves_once(&self) -> bool {
+    /// Whether `solution`, one of its own, and what is reported of it, is the same at every instant: an animation then
+    /// needs one.
+    fn is_everlasting(&self, _solution: &Solution) -> bool {
         false
     }
 }
@@ -196,6 +198,19 @@ pub struct Choice {
     pub notes: Diagnostics,
 }
 
+impl Choice {
+    /// Compiles everything that does not depend on numbers. Where `auto` chose `exact`, `fourier` stands behind it.
+    ///
+    /// # Errors
+    /// As [`Method::prepare`].
+    pub fn prepare(&self, decomposition: &Decomposition, options: &Options) -> Result<Box<dyn Solver>, Diagnostic> {
+        if self.is_automatic && self.method.name() == exact::Exact.name() {
+            return exact_or_fourier::ExactOrFourier::prepare(decomposition, options);
+        }
+        self.method.prepare(decomposition, options)
+    }
+}
+
 /// The method called `name`; `auto`, or no name, is the first in [`AUTOMATIC`] that accepts the problem.
 ///
 /// # Errors
@@ -232,11 +247,8 @@ fn choose_automatically(
     for method in on_its_sides(AUTOMATIC, decomposition) {
         match method.accepts(decomposition, limits).and_then(|()| method.suits(decomposition, numbers)) {
             Ok(()) => {
-                let note = |(name, reason): (&str, Diagnostic)| {
-                    let message = format!("solved by `{}`, not by `{name}`: {}", method.name(), reason.message);
-                    Diagnostic::new(Code::MethodPassedOver, message).at(reason.span)
-                };
-                return Ok(Choice { method, is_automatic: true, notes: reasons.into_iter().map(note).collect() });
+                let notes = reasons.iter().map(|(name, reason)| passed_over(name, method.name(), reason));
+                return Ok(Choice { method, is_automatic: true, notes: notes.collect() });
             }
             // A limit says nothing about the problem; it is the user's to raise.
             Err(reason) if reason.class() == Class::Limit => return Err(reason),
@@ -249,6 +261,12 @@ fn choose_automatically(
         finding = finding.hint(format!("{name}: {}", reason.message));
     }
     Err(finding)
+}
+
+/// The note that `auto` passed over the method `name` for the method `by`.
+fn passed_over(name: &str, by: &str, reason: &Diagnostic) -> Diagnostic {
+    let message = format!("solved by `{by}`, not by `{name}`: {}", reason.message);
+    Diagnostic::new(Code::MethodPassedOver, message).at(reason.span)
 }
 
 /// Those of `methods` that are for as many sides as the patch has.

@@ -224,7 +224,7 @@ impl Solver for ExactSolver {
         Ok(Solution { surface: Arc::new(surface), report })
     }
 
-    fn solves_once(&self) -> bool {
+    fn is_everlasting(&self, _solution: &Solution) -> bool {
         true
     }
 }
