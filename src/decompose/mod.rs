@@ -11,10 +11,12 @@
 
 mod closure;
 mod expand;
+mod force;
 mod latex;
 mod text;
 
 pub use closure::{Closure, DerivativeMatrix, close};
+pub use force::{SplitForce, split_force};
 
 use indexmap::IndexMap;
 use rustc_hash::FxBuildHasher;

@@ -58,7 +58,7 @@ impl ExactOrFourier {
         let [u, v] = ranges;
         let numbers = Numbers { params, domain: &DomainValues { u, v, t: [t, t] } };
         Fourier.accepts(&self.decomposition, &self.options.limits)?;
-        Fourier.suits(&self.decomposition, &numbers)?;
+        Fourier.suits(&self.decomposition, &numbers, &self.options.limits)?;
         let prepared = self.fourier.get_or_init(|| {
             let settings = self.options.settings.clone().only(Fourier.settings());
             Fourier.prepare(&self.decomposition, &Options { settings, ..self.options.clone() })

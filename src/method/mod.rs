@@ -55,7 +55,12 @@ pub trait Method: Sync {
     ///
     /// # Errors
     /// [`Code::UnsupportedByMethod`] with the reason.
-    fn suits(&self, _decomposition: &Decomposition, _numbers: &Numbers<'_>) -> Result<(), Diagnostic> {
+    fn suits(
+        &self,
+        _decomposition: &Decomposition,
+        _numbers: &Numbers<'_>,
+        _limits: &Limits,
+    ) -> Result<(), Diagnostic> {
         Ok(())
     }
 
@@ -135,11 +140,14 @@ pub struct Report {
     pub warnings: Diagnostics,
 }
 
-/// The part of the boundary data that a truncated series leaves out.
+/// What a truncated series leaves out.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Truncation {
-    /// The largest value that is left out, of any condition and component.
+    /// The largest value that is left out of the boundary data, of any condition and component.
     pub left_out: f64,
+    /// The largest part that is left out of a function in the force, as a share of its size; `None` where none is expanded.
+    /// The surface misses its equation by as much.
+    pub of_force: Option<f64>,
     /// v where most is left out of each condition and component of which anything is: where the verifier looks too.
     pub places: Vec<f64>,
     /// Whether the surface meets its boundary all the same; otherwise it misses it by `left_out`.
@@ -245,7 +253,7 @@ fn choose_automatically(
 ) -> Result<Choice, Diagnostic> {
     let mut reasons: Vec<(&str, Diagnostic)> = Vec::new();
     for method in on_its_sides(AUTOMATIC, decomposition) {
-        match method.accepts(decomposition, limits).and_then(|()| method.suits(decomposition, numbers)) {
+        match method.accepts(decomposition, limits).and_then(|()| method.suits(decomposition, numbers, limits)) {
             Ok(()) => {
                 let notes = reasons.iter().map(|(name, reason)| passed_over(name, method.name(), reason));
                 return Ok(Choice { method, is_automatic: true, notes: notes.collect() });

@@ -34,6 +34,7 @@ mod fields;
 #[cfg(feature = "cli")]
 mod figures;
 mod fitting;
+mod forces;
 mod formatting;
 mod four_sided;
 #[cfg(feature = "cli")]
