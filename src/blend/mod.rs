@@ -398,7 +398,8 @@ impl Prepared {
         };
         let origin = self.patch().boundary_origin();
         Err(Diagnostic::new(Code::PromiseBroken, message).at(origin).hint(
-            "constraints that are nearly dependent, or coefficients of very different sizes, leave too few digits",
+            "constraints that are nearly dependent, coefficients of very different sizes, or polynomials multiplied out about a \
+             point far from v = 0 leave too few digits; powers such as `(v - 10)^6` keep them",
         ))
     }
 

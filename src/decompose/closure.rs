@@ -136,6 +136,7 @@ fn factor_closes(graph: &Graph, factor: ExprId) -> bool {
             let is_natural = graph.as_number(*exponent).and_then(|number| number.as_integer()).is_some_and(|n| n > 0);
             is_natural && factor_closes(graph, *base)
         }
+        Node::Sum(_) => is_affine(graph, factor),
         Node::Call(Function::Exp | Function::Sin | Function::Cos | Function::Sinh | Function::Cosh, arguments) => {
             arguments.iter().all(|argument| is_affine(graph, *argument))
         }
@@ -143,7 +144,7 @@ fn factor_closes(graph: &Graph, factor: ExprId) -> bool {
     }
 }
 
-/// Whether an expanded argument is of first degree in v and t together.
+/// Whether an expanded sum is of first degree in v and t together.
 fn is_affine(graph: &Graph, argument: ExprId) -> bool {
     let terms = match graph.node(argument) {
         Node::Sum(terms) => terms.to_vec(),

@@ -57,6 +57,7 @@ mod patches;
 #[cfg(feature = "render")]
 mod pictures;
 mod polynomial;
+mod polynomials;
 mod readings;
 mod reference;
 mod robustness;
