@@ -126,6 +126,11 @@ impl Factorised {
         lu.is_invertible().then_some(Factorised { lu, matrix })
     }
 
+    /// The matrix that was factorised.
+    pub fn matrix(&self) -> &DMatrix<f64> {
+        &self.matrix
+    }
+
     /// The solution for each column of `right`, with one step of refinement.
     pub fn solve(&self, right: &DMatrix<f64>) -> Option<DMatrix<f64>> {
         let mut solution = self.lu.solve(right)?;

@@ -8,6 +8,7 @@
 
 mod amplification;
 mod block;
+mod critical;
 mod discretisation;
 mod system;
 
@@ -20,9 +21,10 @@ use super::{Method, Options, Report, Solution, Solver};
 use crate::decompose::{Closure, Decomposition, close};
 use crate::diagnostic::{Code, Diagnostic, Shortest, Span};
 use crate::eval::{Backend, Evaluator, Program, compile};
-use crate::expr::{ExprId, Graph, Notation};
+use crate::expr::{ExprId, Notation};
 use crate::features::{Feature, locate};
 use crate::limits::Limits;
+use crate::problem::PdeOperator;
 use crate::surface::{Basis, Coefficients, SeparableSurface};
 use crate::trial::{CorrectedTrial, Modes};
 
@@ -75,16 +77,17 @@ impl Method for Exact {
             let message = format!("the tolerance {tolerance} lies outside [1e-15, 1e-2]");
             Err(Diagnostic::new(Code::SettingOutOfRange, message).at(origin))
         })?;
-        let Closure { mut graph, functions, derivatives, force } = close(decomposition, &options.limits)?;
-        let closure = Closure { graph: graph.clone(), functions: functions.clone(), derivatives, force: force.clone() };
+        let closure = close(decomposition, &options.limits)?;
+        let mut graph = closure.graph.clone();
         let system = System::build(&mut graph, &closure, &decomposition.operator);
         let varies_with_u = |exprs: &[ExprId]| exprs.iter().any(|expr| graph.dependence(*expr).u);
         let entries: Vec<ExprId> = system.entries.iter().map(|(_, expr)| *expr).collect();
-        let forces: Vec<ExprId> = force.iter().flatten().copied().collect();
+        let forces: Vec<ExprId> = closure.force.iter().flatten().copied().collect();
         let positions = decomposition.patch.conditions.iter().map(|condition| condition.u);
         let constants: Vec<ExprId> =
             positions.chain(decomposition.coefficients.iter().flatten().flatten().copied()).collect();
         let interpreted = |outputs: &[ExprId]| compile(Program::compile(&graph, outputs), Backend::Interpreter).0;
+        let functions = &closure.functions;
         let names = functions
             .iter()
             .map(|(expr, _)| graph.text(*expr, Notation::Ascii, 60).unwrap_or_else(|_| "a long expression".to_owned()));
@@ -95,15 +98,16 @@ impl Method for Exact {
             basis_size: decomposition.basis.len(),
             origins: functions.iter().map(|(_, origin)| *origin).collect(),
             names: names.collect(),
-            coefficients: amplification::coefficient_symbols(decomposition),
+            coefficients: critical::coefficient_symbols(decomposition),
+            operator: decomposition.operator.clone(),
             has_force: forces.iter().any(|expr| !graph.is_zero(*expr)),
             entries_vary: varies_with_u(&entries),
             varying: entries.iter().chain(&forces).copied().filter(|expr| graph.dependence(*expr).u).collect(),
-            graph: graph.clone(),
             entry_values: interpreted(&entries),
             force_values: interpreted(&forces),
             constant_values: interpreted(&constants),
-            basis: Arc::new(Basis::new(&graph, &functions, options.backend, &options.limits)),
+            basis: Arc::new(Basis::new(&graph, functions, options.backend, &options.limits)),
+            closure: Closure { graph, ..closure },
             system,
         }))
     }
@@ -125,7 +129,9 @@ struct ExactSolver {
     entries_vary: bool,
     /// Entries and forces that depend on u, which may be narrow there.
     varying: Vec<ExprId>,
-    graph: Graph,
+    operator: PdeOperator,
+    /// The closure, its graph extended by the system.
+    closure: Closure,
     system: System,
     entry_values: Arc<dyn Evaluator>,
     force_values: Arc<dyn Evaluator>,
@@ -176,7 +182,7 @@ impl Solver for ExactSolver {
             range,
             functionals: positions.iter().copied().zip(self.orders.iter().copied()).collect(),
             boundary: boundary.to_vec(),
-            features: locate(&self.graph, &self.varying, params, [range, range], 0.0).u,
+            features: locate(&self.closure.graph, &self.varying, params, [range, range], 0.0).u,
             solved: vec![None; self.basis.len()],
             modes: FxHashMap::default(),
             discretisations: FxHashMap::default(),
