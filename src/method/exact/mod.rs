@@ -8,6 +8,7 @@
 
 mod amplification;
 mod block;
+mod component;
 mod critical;
 mod discretisation;
 mod system;
@@ -28,9 +29,9 @@ use crate::problem::PdeOperator;
 use crate::surface::{Basis, Coefficients, SeparableSurface};
 use crate::trial::{CorrectedTrial, Modes};
 
-use block::{BlockSystem, Factorised};
+use block::Factorised;
 use discretisation::Discretisation;
-use system::{Place, System, evaluate};
+use system::{System, evaluate};
 
 /// The method `exact`.
 pub struct Exact;
@@ -318,154 +319,6 @@ impl ExactSolver {
             before = Some(residual);
             terms = (terms * 3 / 2).next_multiple_of(6).min(MOST_TERMS);
         }
-    }
-
-    /// The weights of the trial functions of all members, for some columns x, y, z.
-    fn solve_component(
-        &self,
-        members: &[usize],
-        component: usize,
-        columns: std::ops::Range<usize>,
-        discretisation: &Discretisation,
-        terms: usize,
-        progress: &mut Progress<'_>,
-    ) -> Result<DMatrix<f64>, Diagnostic> {
-        let (block, right, _) = self.block_of(members, component, discretisation, terms, progress);
-        let right = right.columns(columns.start, columns.len()).into_owned();
-        let cardinal = discretisation.tables.cardinal;
-        let j = members.first().copied().unwrap_or(0);
-        if !block.determines_highest(self.order) {
-            return Err(self.order_drops(j));
-        }
-        if right.iter().all(|value| *value == 0.0) {
-            return Ok(DMatrix::zeros(members.len() * terms, columns.len()));
-        }
-        let key = (
-            terms,
-            block
-                .entries
-                .iter()
-                .flat_map(|(p, a, b, values)| {
-                    [*p as u64, *a as u64, *b as u64].into_iter().chain(values.iter().map(|value| value.to_bits()))
-                })
-                .collect::<Vec<u64>>(),
-        );
-        let factorised = match progress.factorised.get(&key) {
-            Some(known) => Arc::clone(known),
-            None => {
-                let trial = cardinal..cardinal + terms;
-                let matrix = block.matrix(&discretisation.tables, trial.clone());
-                if matrix.iter().chain(right.iter()).any(|value| !value.is_finite()) {
-                    return Err(self.overflows(j));
-                }
-                let factorised = Factorised::new(matrix);
-                let factorised = Arc::new(factorised.ok_or_else(|| self.resonant(None, None, j))?);
-                let definite = block.definite_matrix(&discretisation.tables, trial);
-                let amplification = factorised.amplification(&definite, block.is_symmetric(self.order));
-                if !amplification.is_finite() {
-                    return Err(self.overflows(j));
-                }
-                let amplified = Amplified {
-                    factor: amplification,
-                    members: members.to_vec(),
-                    component,
-                    terms,
-                    factorised: Arc::clone(&factorised),
-                };
-                if amplification > amplification::RESONANT {
-                    return Err(self.resonant_at(&amplified, progress));
-                }
-                if progress.worst.as_ref().is_none_or(|worst| amplification > worst.factor) {
-                    progress.worst = Some(amplified);
-                }
-                progress.factorised.insert(key, Arc::clone(&factorised));
-                factorised
-            }
-        };
-        // Resonance is refused above, so what is not finite here has overflowed.
-        factorised.solve(&right).ok_or_else(|| self.overflows(j))
-    }
-
-    /// The largest residual of a block's equations at `nodes` others than they were imposed at, relative to their
-    /// largest term: where it is small, the solution is resolved.
-    fn residual_at(
-        &self,
-        members: &[usize],
-        component: usize,
-        columns: std::ops::Range<usize>,
-        weights: &DMatrix<f64>,
-        nodes: usize,
-        progress: &mut Progress<'_>,
-    ) -> Result<f64, Diagnostic> {
-        let terms = weights.nrows() / members.len().max(1);
-        let discretisation = self.discretise(nodes, terms, progress)?;
-        let nodes = discretisation.tables.values.first().map_or(0, DMatrix::nrows);
-        let (block, right, largest) = self.block_of(members, component, &discretisation, nodes, progress);
-        let cardinal = discretisation.tables.cardinal;
-        let trial = cardinal..cardinal + terms;
-        let image = block.matrix(&discretisation.tables, trial.clone()) * weights;
-        // Single terms, not their sum: near resonance large terms cancel.
-        let scale = largest.max(block.largest_term(&discretisation.tables, trial, weights));
-        let residual = (right.columns(columns.start, columns.len()) - image).amax();
-        Ok(match residual / scale {
-            _ if scale == 0.0 => 0.0,
-            ratio if ratio.is_nan() => f64::INFINITY,
-            ratio => ratio,
-        })
-    }
-
-    /// The numbers of a block, its right-hand side (force, boundary part, and functions solved before), and the
-    /// largest single term of the latter.
-    fn block_of(
-        &self,
-        members: &[usize],
-        component: usize,
-        discretisation: &Discretisation,
-        terms: usize,
-        progress: &Progress<'_>,
-    ) -> (BlockSystem, DMatrix<f64>, f64) {
-        let tables = &discretisation.tables;
-        let mut right = DMatrix::zeros(members.len() * terms, 3);
-        for (member, &j) in members.iter().enumerate() {
-            for axis in 0..3 {
-                let force = discretisation.forces.get(3 * j + axis).map_or(&[][..], Vec::as_slice);
-                for (slot, value) in right.view_mut((member * terms, axis), (terms, 1)).iter_mut().zip(force) {
-                    *slot = *value;
-                }
-            }
-        }
-        let mut largest = right.amax();
-        let mut entries = Vec::new();
-        for ((place, _), values) in self.system.entries.iter().zip(&discretisation.entries) {
-            let Place { component: of, equation, unknown, order } = *place;
-            let Some(row) = members.iter().position(|member| *member == equation) else { continue };
-            if of != component {
-                continue;
-            }
-            let own = members.iter().position(|member| *member == unknown);
-            // Inside the block the boundary part of G is known; outside all of it.
-            let known = match own {
-                Some(_) => Some(self.stated(unknown, progress)),
-                None => progress.solved.get(unknown).cloned().flatten(),
-            };
-            if let (Some(known), Some(table)) = (known, tables.values.get(order)) {
-                let image = table.columns(0, known.nrows()) * known;
-                for node in 0..terms {
-                    let factor = match values.as_slice() {
-                        [all] => *all,
-                        _ => values.get(node).copied().unwrap_or(f64::NAN),
-                    };
-                    let term = image.row(node) * factor;
-                    largest = largest.max(term.amax());
-                    let mut target = right.row_mut(row * terms + node);
-                    target -= term;
-                }
-            }
-            if let Some(column) = own {
-                entries.push((order, row, column, values.clone()));
-            }
-        }
-        (BlockSystem { entries, members: members.len() }, right, largest)
     }
 
     /// The boundary coefficients of function `j`, a row per condition; zero for functions the closure added.
