@@ -97,7 +97,7 @@ impl ExactSolver {
     fn block_of_term(&self, members: &[usize], term: &PdeTerm, params: &[f64]) -> Result<BlockSystem, Diagnostic> {
         let mut graph = self.closure.graph.clone();
         let (one, zero) = (graph.integer(1), graph.integer(0));
-        let alone = PdeTerm { coefficient: [one; 3], ..term.clone() };
+        let alone = PdeTerm { coefficient: [one; 3], ..*term };
         let operator = PdeOperator { terms: vec![alone], force: [zero; 3], origin: None };
         let system = System::build(&mut graph, &self.closure, &operator);
         let exprs: Vec<ExprId> = system.entries.iter().map(|(_, expr)| *expr).collect();
