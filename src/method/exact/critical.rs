@@ -45,10 +45,9 @@ impl ExactSolver {
             for term in &self.operator.terms {
                 let Some(value) = number_in_front(&self.closure.graph, term, worst.component) else { continue };
                 let Some(found) = self.critical_number(worst, term, value, progress)? else { continue };
-                let derivative = self.written(term, worst.component);
-                let [found_term, term] = [format!("{found:.*}", decimals(found - value)), Shortest(value).to_string()]
-                    .map(|number| format!("`{number} {derivative}`"));
-                critical.push((relative(found, value), format!("with {found_term} for {term}")));
+                let [there, here] = [format!("{found:.*}", decimals(found - value)), Shortest(value).to_string()]
+                    .map(|number| Self::written(&number, term, worst.component));
+                critical.push((relative(found, value), format!("with `{there}` for `{here}`")));
             }
         }
         critical.sort_by(|(a, _), (b, _)| a.total_cmp(b));
@@ -110,11 +109,16 @@ impl ExactSolver {
         Ok(BlockSystem { entries, members: members.len() })
     }
 
-    /// The derivative of a term, of S or of the component whose coefficient differs from the others'.
-    fn written(&self, term: &PdeTerm, component: usize) -> String {
+    /// A term with `number` in front, of S or of the component whose coefficient differs from the others'.
+    fn written(number: &str, term: &PdeTerm, component: usize) -> String {
         let [x, y, z] = term.coefficient;
         let name = if x == y && x == z { "S" } else { ["S_x", "S_y", "S_z"].get(component).copied().unwrap_or("S") };
-        term.derivative.of(name, Notation::Ascii)
+        let derivative = term.derivative.of(name, Notation::Ascii);
+        match number {
+            "1" => derivative,
+            "-1" => format!("-{derivative}"),
+            _ => format!("{number} {derivative}"),
+        }
     }
 }
 
