@@ -256,7 +256,7 @@ impl Prepared {
             let finding = Diagnostic::new(Code::UnknownSetting, message).at(origin);
             return Err(finding.hint(format!("its settings: {}", method.settings().join(", "))));
         }
-        let solver = method.prepare(&decomposition, &Options { settings, ..options.clone() })?;
+        let solver = choice.prepare(&decomposition, &Options { settings, ..options.clone() })?;
         let compiled =
             |deformation| Bump::compile(problem, deformation, options.backend, &options.limits).map(Arc::new);
         let bumps = decomposition.patch.deformations.iter().map(compiled).collect::<Result<_, _>>()?;
@@ -324,7 +324,7 @@ impl Prepared {
         }
         let mut solution = self.solver.solve(params, ranges, t)?;
         solution.report.warnings.splice(0..0, self.choice.notes.iter().cloned());
-        if self.solver.solves_once() {
+        if self.solver.is_everlasting(&solution) {
             *lock() = Some((params.to_vec(), ranges, solution.clone()));
         }
         Ok(solution)
@@ -401,7 +401,8 @@ impl Prepared {
         };
         let origin = self.patch().boundary_origin();
         Err(Diagnostic::new(Code::PromiseBroken, message).at(origin).hint(
-            "constraints that are nearly dependent, or coefficients of very different sizes, leave too few digits",
+            "constraints that are nearly dependent, coefficients of very different sizes, or polynomials multiplied out about a \
+             point far from v = 0 leave too few digits; powers such as `(v - 10)^6` keep them",
         ))
     }
 

@@ -15,6 +15,7 @@ use super::expand::{Monomials, expand};
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::{Derivative, ExprId, Function, Graph, Node, Notation, Variable};
 use crate::limits::Limits;
+use crate::problem::PdeOperator;
 
 /// A basis that is closed under the equation's derivatives in v and t.
 #[derive(Debug, Clone)]
@@ -57,8 +58,7 @@ pub fn close(decomposition: &Decomposition, limits: &Limits) -> Result<Closure, 
     let wanted = operator.basis_derivatives();
     let mut derivatives: Vec<DerivativeMatrix> =
         wanted.into_iter().map(|orders| DerivativeMatrix { orders, rows: Vec::new() }).collect();
-    let differentiated = |variable: Variable| derivatives.iter().any(|matrix| matrix.orders.order(variable) > 0);
-    let variables = [differentiated(Variable::V), differentiated(Variable::T)];
+    let variables = differentiated(operator);
     let mut next = 0;
     while let Some((&function, &origin)) = functions.get_index(next) {
         check_closes(&graph, function, variables, origin)?;
@@ -93,8 +93,14 @@ pub fn close(decomposition: &Decomposition, limits: &Limits) -> Result<Closure, 
     Ok(Closure { graph, functions: functions.into_iter().collect(), derivatives, force })
 }
 
+/// Whether `operator` takes derivatives in v, and in t.
+pub(super) fn differentiated(operator: &PdeOperator) -> [bool; 2] {
+    let derivatives = operator.basis_derivatives();
+    [Variable::V, Variable::T].map(|variable| derivatives.iter().any(|orders| orders.order(variable) > 0))
+}
+
 /// Refuses a function that has a factor without a finite closure under the derivatives in v and t that occur.
-fn check_closes(
+pub(super) fn check_closes(
     graph: &Graph,
     function: ExprId,
     [in_v, in_t]: [bool; 2],
@@ -130,6 +136,7 @@ fn factor_closes(graph: &Graph, factor: ExprId) -> bool {
             let is_natural = graph.as_number(*exponent).and_then(|number| number.as_integer()).is_some_and(|n| n > 0);
             is_natural && factor_closes(graph, *base)
         }
+        Node::Sum(_) => is_affine(graph, factor),
         Node::Call(Function::Exp | Function::Sin | Function::Cos | Function::Sinh | Function::Cosh, arguments) => {
             arguments.iter().all(|argument| is_affine(graph, *argument))
         }
@@ -137,7 +144,7 @@ fn factor_closes(graph: &Graph, factor: ExprId) -> bool {
     }
 }
 
-/// Whether an expanded argument is of first degree in v and t together.
+/// Whether an expanded sum is of first degree in v and t together.
 fn is_affine(graph: &Graph, argument: ExprId) -> bool {
     let terms = match graph.node(argument) {
         Node::Sum(terms) => terms.to_vec(),

@@ -1,9 +1,9 @@
 //! Expansion of an expression in v and t into `Σ coefficient(params) * monomial(v, t)`.
 //!
 //! A loop over the nodes of the expression, operands first. Sums merge, products multiply out, integer powers of
-//! sums multiply out, exponents stay together but for what depends on u, arguments of functions are
-//! expanded so that `sin(2(v + 1))` and `sin(2v + 2)` are one function. Whatever cannot be taken apart is one
-//! factor. The number of monomials is bounded at every step.
+//! sums multiply out but for those of first degree in v and t, exponents stay together but for what depends on u, arguments
+//! of functions are expanded, such powers too, so that `sin(2(v + 1))` and `sin(2v + 2)` are one function. Whatever cannot
+//! be taken apart is one factor. The number of monomials is bounded at every step.
 
 use indexmap::IndexMap;
 use rustc_hash::{FxBuildHasher, FxHashMap};
@@ -20,30 +20,58 @@ pub type Monomials = IndexMap<ExprId, ExprId, FxBuildHasher>;
 /// # Errors
 /// [`Code::LimitReached`] without a place, which the caller knows.
 pub fn expand(graph: &mut Graph, expr: ExprId, limits: &Limits) -> Result<Monomials, Diagnostic> {
-    let mut known: FxHashMap<ExprId, Monomials> = FxHashMap::default();
-    for id in graph.reachable(&[expr]) {
-        let monomials = expand_node(graph, id, &known, limits)?;
-        if graph.size() > limits.graph_nodes {
-            return Err(limit("the expanded data have more distinct parts", "graph-nodes", limits.graph_nodes));
-        }
-        known.insert(id, monomials);
-    }
+    let nodes = graph.reachable(&[expr]);
+    let in_functions: Vec<ExprId> = nodes.iter().flat_map(|id| arguments(graph, *id)).collect();
+    let in_functions = graph.reachable(&in_functions);
+    let arguments = expand_all(graph, &in_functions, None, limits)?;
+    let mut known = expand_all(graph, &nodes, Some(&arguments), limits)?;
     let mut result = known.remove(&expr).unwrap_or_default();
     result.retain(|_, coefficient| !graph.is_zero(*coefficient));
     Ok(result)
 }
 
+/// Expansions by node.
+type Known = FxHashMap<ExprId, Monomials>;
+
+/// Expands all `nodes`, given the expansions of the arguments of functions among them; `None` if `nodes` belong to arguments
+/// themselves.
+fn expand_all(
+    graph: &mut Graph,
+    nodes: &[ExprId],
+    arguments: Option<&Known>,
+    limits: &Limits,
+) -> Result<Known, Diagnostic> {
+    let mut known = Known::default();
+    for &id in nodes {
+        let monomials = expand_node(graph, id, (&known, arguments), limits)?;
+        if graph.size() > limits.graph_nodes {
+            return Err(limit("the expanded data have more distinct parts", "graph-nodes", limits.graph_nodes));
+        }
+        known.insert(id, monomials);
+    }
+    Ok(known)
+}
+
+/// The arguments of a function; none of anything else.
+fn arguments(graph: &Graph, id: ExprId) -> Vec<ExprId> {
+    match graph.node(id) {
+        Node::Call(_, arguments) | Node::Spline(_, arguments) => arguments.to_vec(),
+        _ => Vec::new(),
+    }
+}
+
 fn expand_node(
     graph: &mut Graph,
     id: ExprId,
-    known: &FxHashMap<ExprId, Monomials>,
+    (operands, arguments): (&Known, Option<&Known>),
     limits: &Limits,
 ) -> Result<Monomials, Diagnostic> {
     let one = graph.integer(1);
     if is_coefficient(graph, id) {
         return Ok([(one, id)].into_iter().collect());
     }
-    let of = |id: &ExprId| known.get(id).cloned().unwrap_or_default();
+    let of = |id: &ExprId| operands.get(id).cloned().unwrap_or_default();
+    let argument = |id: &ExprId| arguments.unwrap_or(operands).get(id).cloned().unwrap_or_default();
     match graph.node(id).clone() {
         Node::Sum(terms) => {
             let mut sum = Monomials::default();
@@ -65,6 +93,13 @@ fn expand_node(
         Node::Power(base, exponent) => {
             let integer = graph.as_number(exponent).and_then(|number| number.as_integer());
             match (integer, of(&base)) {
+                // Of `(v - 10)^6` for v in [9, 11] the terms are 10^6 times as large as their sum, and leave ten digits of
+                // it. In functions powers are multiplied out, so that equal arguments are found.
+                (Some(2..), sum) if arguments.is_some() && sum.len() > 1 && is_first_degree(graph, &sum) => {
+                    let base = assemble(graph, &sum);
+                    let power = graph.power(base, exponent);
+                    Ok(factor(graph, power))
+                }
                 (Some(times), sum) if times > 0 && sum.len() > 1 => power(graph, &sum, times, limits),
                 (Some(_), single) if single.len() == 1 => {
                     let raised = single.into_iter().map(|(monomial, coefficient)| {
@@ -76,38 +111,46 @@ fn expand_node(
                 _ => Ok(factor(graph, id)),
             }
         }
-        Node::Call(Function::Exp, arguments) => {
-            let Some(argument) = arguments.first() else { return Ok(factor(graph, id)) };
-            let mut argument = of(argument);
+        Node::Call(Function::Exp, of_exp) => {
+            let Some(exponent) = of_exp.first() else { return Ok(factor(graph, id)) };
+            let mut exponent = argument(exponent);
             // The exponent stays together: of `e^(-100 (v - 3)²)` the parts e^-900 and e^(600 v) leave the doubles, and
             // their product does not. Only what depends on u cannot stay in a function of v and t.
-            let constant = argument.get(&one).copied().unwrap_or_else(|| graph.integer(0));
+            let constant = exponent.get(&one).copied().unwrap_or_else(|| graph.integer(0));
             let (of_u, others) = split_by_u(graph, constant);
-            argument.insert(one, others);
-            let exponent = assemble(graph, &argument);
+            exponent.insert(one, others);
+            let exponent = assemble(graph, &exponent);
             let function = graph.call(Function::Exp, &[exponent]);
             let (constant, monomial) = split_coefficient(graph, function);
             let of_u = graph.call(Function::Exp, &[of_u]);
             Ok([(monomial, graph.product([of_u, constant]))].into_iter().collect())
         }
-        Node::Call(function, arguments) => {
-            let mut expanded = Vec::with_capacity(arguments.len());
-            for argument in arguments.iter() {
-                expanded.push(assemble(graph, &of(argument)));
+        Node::Call(function, of_call) => {
+            let mut expanded = Vec::with_capacity(of_call.len());
+            for id in of_call.iter() {
+                expanded.push(assemble(graph, &argument(id)));
             }
             let value = graph.call(function, &expanded);
             Ok(factor(graph, value))
         }
-        Node::Spline(call, arguments) => {
-            let mut expanded = Vec::with_capacity(arguments.len());
-            for argument in arguments.iter() {
-                expanded.push(assemble(graph, &of(argument)));
+        Node::Spline(call, of_call) => {
+            let mut expanded = Vec::with_capacity(of_call.len());
+            for id in of_call.iter() {
+                expanded.push(assemble(graph, &argument(id)));
             }
             let value = graph.spline(call, &expanded);
             Ok(factor(graph, value))
         }
         _ => Ok(factor(graph, id)),
     }
+}
+
+/// Whether an expanded sum is of first degree in v and t, with coefficients that do not depend on u.
+fn is_first_degree(graph: &Graph, sum: &Monomials) -> bool {
+    sum.iter().all(|(monomial, coefficient)| {
+        let is_linear = is_coefficient(graph, *monomial) || matches!(graph.node(*monomial), Node::Variable(_));
+        is_linear && !graph.dependence(*coefficient).u
+    })
 }
 
 /// Whether `expr` belongs to the coefficients. Those of a force may depend on u.

@@ -4,20 +4,34 @@ use super::Decomposition;
 use crate::diagnostic::Diagnostic;
 use crate::expr::{Derivative, ExprId, Notation};
 use crate::limits::Limits;
+use crate::problem::Constraint;
 
 impl Decomposition {
     /// Basis functions, each condition as a sum over them with its nonzero coefficients, and the nonzero derivatives
-    /// that the equation needs: the facts of [`Decomposition::to_text`].
+    /// that the equation needs, or the data on four sides: the facts of [`Decomposition::to_text`].
     ///
     /// # Errors
     /// As [`Decomposition::text_of`].
     pub fn to_latex(&self, limits: &Limits) -> Result<String, Diagnostic> {
         let text = |expr: ExprId| self.text_of(expr, Notation::Latex, limits);
+        let column = |vector: [ExprId; 3]| {
+            let [x, y, z] = vector.map(text);
+            Ok(format!(r"\begin{{bmatrix}} {} \\ {} \\ {} \end{{bmatrix}}", x?, y?, z?))
+        };
         let mut rows = Vec::new();
+        for Constraint { across, position, derivative, value } in self.sides() {
+            let left = derivative.of(r"\mathbf{S}", Notation::Latex);
+            rows.push(format!(
+                r"\left.{left}\right|_{{{} = {}}} &= {}",
+                across.name(),
+                text(position)?,
+                column(value)?
+            ));
+        }
         for (index, function) in self.basis.iter().enumerate() {
             rows.push(format!(r"F_{{{}}}(v, t) &= {}", index + 1, text(function.expr)?));
         }
-        for (index, condition) in self.patch.conditions.iter().enumerate() {
+        for (index, condition) in self.patch.conditions.iter().enumerate().filter(|_| !self.patch.is_four_sided()) {
             let left = Derivative::new(condition.order, 0, 0).of(r"\mathbf{S}", Notation::Latex);
             let position = text(condition.u)?;
             let vectors = self.coefficients.get(index).into_iter().flatten().enumerate();
@@ -28,9 +42,7 @@ impl Decomposition {
             let sum = if terms.is_empty() { r"\mathbf{0}".to_owned() } else { terms.join(" + ") };
             rows.push(format!(r"\left.{left}\right|_{{u = {position}}} &= {sum}"));
             for (j, vector) in stated {
-                let [x, y, z] = vector.map(text);
-                let symbol = self.latex_symbol(index, j + 1);
-                rows.push(format!(r"{symbol} &= \begin{{bmatrix}} {} \\ {} \\ {} \end{{bmatrix}}", x?, y?, z?));
+                rows.push(format!("{} &= {}", self.latex_symbol(index, j + 1), column(*vector)?));
             }
         }
         for (index, function) in self.basis.iter().enumerate() {

@@ -11,10 +11,12 @@
 
 mod closure;
 mod expand;
+mod force;
 mod latex;
 mod text;
 
 pub use closure::{Closure, DerivativeMatrix, close};
+pub use force::{SplitForce, split_force};
 
 use indexmap::IndexMap;
 use rustc_hash::FxBuildHasher;
@@ -22,7 +24,7 @@ use rustc_hash::FxBuildHasher;
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::{Derivative, ExprId, Graph};
 use crate::limits::Limits;
-use crate::problem::{Patch, PdeOperator, PdeTerm, Problem};
+use crate::problem::{Constraint, Patch, PdeOperator, PdeTerm, Problem};
 
 /// The boundary data of one patch in terms of one basis.
 #[derive(Debug, Clone)]
@@ -137,6 +139,11 @@ impl Decomposition {
         let leading_vanish = terms.iter().filter(|term| term.derivative.u == order).all(|term| vanishes(&term));
         let found = terms.iter().filter(vanishes).map(|term| term.derivative);
         found.filter(|derivative| derivative.u < order || !leading_vanish).collect()
+    }
+
+    /// The constraints of a patch with data on four sides, which no basis stands for; none of any other.
+    pub fn sides(&self) -> impl Iterator<Item = Constraint> {
+        self.patch.constraints().filter(|_| self.patch.is_four_sided())
     }
 
     /// Refuses a basis function without a derivative that the patch's equation takes.

@@ -6,6 +6,7 @@ use super::{Closure, Decomposition};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::expr::{Derivative, ExprId, Notation};
 use crate::limits::Limits;
+use crate::problem::Constraint;
 
 impl Decomposition {
     /// The symbol of the coefficients of a condition: b, b̄, d, d̄ for position and tangent at two ends
@@ -36,11 +37,14 @@ impl Decomposition {
     }
 
     /// The whole decomposition: basis functions, nonzero coefficients of each condition, needed derivatives, and which
-    /// of these do not exist.
+    /// of these do not exist. Of a patch with data on four sides, the data.
     ///
     /// # Errors
     /// As [`Decomposition::text_of`].
     pub fn to_text(&self, notation: Notation, limits: &Limits) -> Result<String, Diagnostic> {
+        if self.patch.is_four_sided() {
+            return self.sides_to_text(notation, limits);
+        }
         let mut text = String::new();
         let count = self.basis.len();
         line(&mut text, format_args!("basis of `{}`: {count} function{}", self.patch.name, plural(count)));
@@ -77,6 +81,20 @@ impl Decomposition {
             for orders in function.missing(&self.patch.operator) {
                 line(&mut text, format_args!("  F{}_{orders} does not exist: {reason}", index + 1));
             }
+        }
+        Ok(text)
+    }
+
+    fn sides_to_text(&self, notation: Notation, limits: &Limits) -> Result<String, Diagnostic> {
+        let mut text = String::new();
+        let name = &self.patch.name;
+        line(&mut text, format_args!("basis of `{name}`: none, data on four sides are interpolated and not factored"));
+        for Constraint { across, position, derivative, value } in self.sides() {
+            let position = self.text_of(position, notation, limits)?;
+            let left = derivative.of("S", Notation::Unicode);
+            let [x, y, z] = value.map(|component| self.text_of(component, notation, limits));
+            line(&mut text, format_args!("\n{left} at {} = {position}", across.name()));
+            line(&mut text, format_args!("  [{}, {}, {}]", x?, y?, z?));
         }
         Ok(text)
     }

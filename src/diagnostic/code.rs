@@ -127,7 +127,7 @@ codes! {
     SeamOpens = "W0411", Warning, Numerical, "The boundary closes in v, and the surface between does not.";
     SolutionNotUnique = "W0412", Warning, Numerical, "The equation has other solutions with the same boundary.";
     PromiseBroken = "E0413", Error, Numerical, "A solution is not what its method promises.";
-    SeriesTruncated = "W0414", Warning, Numerical, "A Fourier series leaves out part of the boundary data.";
+    SeriesTruncated = "W0414", Warning, Numerical, "A Fourier series leaves out part of the boundary data or of the force.";
     PositionsAmplify = "W0415", Warning, Numerical, "Positions inside the blend amplify high wave numbers.";
     LargeResidual = "W0417", Warning, Numerical, "The surface that `auto` found does not solve its equation.";
     SeamApart = "E0416", Error, Source, "Patches do not meet where a seam is stated.";

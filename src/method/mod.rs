@@ -7,6 +7,7 @@
 
 mod equation;
 mod exact;
+mod exact_or_fourier;
 mod fitting;
 mod four_sided;
 mod fourier;
@@ -54,7 +55,12 @@ pub trait Method: Sync {
     ///
     /// # Errors
     /// [`Code::UnsupportedByMethod`] with the reason.
-    fn suits(&self, _decomposition: &Decomposition, _numbers: &Numbers<'_>) -> Result<(), Diagnostic> {
+    fn suits(
+        &self,
+        _decomposition: &Decomposition,
+        _numbers: &Numbers<'_>,
+        _limits: &Limits,
+    ) -> Result<(), Diagnostic> {
         Ok(())
     }
 
@@ -76,8 +82,9 @@ pub trait Solver: Send + Sync {
     /// Data that are not finite, or a system without a reliable solution.
     fn solve(&self, params: &[f64], ranges: [[f64; 2]; 2], t: f64) -> Result<Solution, Diagnostic>;
 
-    /// Whether a solution, and what is reported of it, is the same at every instant: an animation then needs one.
-    fn solves_once(&self) -> bool {
+    /// Whether `solution`, one of its own, and what is reported of it, is the same at every instant: an animation then
+    /// needs one.
+    fn is_everlasting(&self, _solution: &Solution) -> bool {
         false
     }
 }
@@ -135,11 +142,14 @@ pub struct Report {
     pub warnings: Diagnostics,
 }
 
-/// The part of the boundary data that a truncated series leaves out.
+/// What a truncated series leaves out.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Truncation {
-    /// The largest value that is left out, of any condition and component.
+    /// The largest value that is left out of the boundary data, of any condition and component.
     pub left_out: f64,
+    /// The largest part that is left out of a function in the force, as a share of its size; `None` where none is expanded.
+    /// The surface misses its equation by as much.
+    pub of_force: Option<f64>,
     /// v where most is left out of each condition and component of which anything is: where the verifier looks too.
     pub places: Vec<f64>,
     /// Whether the surface meets its boundary all the same; otherwise it misses it by `left_out`.
@@ -198,6 +208,19 @@ pub struct Choice {
     pub notes: Diagnostics,
 }
 
+impl Choice {
+    /// Compiles everything that does not depend on numbers. Where `auto` chose `exact`, `fourier` stands behind it.
+    ///
+    /// # Errors
+    /// As [`Method::prepare`].
+    pub fn prepare(&self, decomposition: &Decomposition, options: &Options) -> Result<Box<dyn Solver>, Diagnostic> {
+        if self.is_automatic && self.method.name() == exact::Exact.name() {
+            return exact_or_fourier::ExactOrFourier::prepare(decomposition, options);
+        }
+        self.method.prepare(decomposition, options)
+    }
+}
+
 /// The method called `name`; `auto`, or no name, is the first in [`AUTOMATIC`] that accepts the problem.
 ///
 /// # Errors
@@ -232,13 +255,10 @@ fn choose_automatically(
 ) -> Result<Choice, Diagnostic> {
     let mut reasons: Vec<(&str, Diagnostic)> = Vec::new();
     for method in on_its_sides(AUTOMATIC, decomposition) {
-        match method.accepts(decomposition, limits).and_then(|()| method.suits(decomposition, numbers)) {
+        match method.accepts(decomposition, limits).and_then(|()| method.suits(decomposition, numbers, limits)) {
             Ok(()) => {
-                let note = |(name, reason): (&str, Diagnostic)| {
-                    let message = format!("solved by `{}`, not by `{name}`: {}", method.name(), reason.message);
-                    Diagnostic::new(Code::MethodPassedOver, message).at(reason.span)
-                };
-                return Ok(Choice { method, is_automatic: true, notes: reasons.into_iter().map(note).collect() });
+                let notes = reasons.iter().map(|(name, reason)| passed_over(name, method.name(), reason));
+                return Ok(Choice { method, is_automatic: true, notes: notes.collect() });
             }
             // A limit says nothing about the problem; it is the user's to raise.
             Err(reason) if reason.class() == Class::Limit => return Err(reason),
@@ -251,6 +271,12 @@ fn choose_automatically(
         finding = finding.hint(format!("{name}: {}", reason.message));
     }
     Err(finding)
+}
+
+/// The note that `auto` passed over the method `name` for the method `by`.
+fn passed_over(name: &str, by: &str, reason: &Diagnostic) -> Diagnostic {
+    let message = format!("solved by `{by}`, not by `{name}`: {}", reason.message);
+    Diagnostic::new(Code::MethodPassedOver, message).at(reason.span)
 }
 
 /// Those of `methods` that are for as many sides as the patch has.

@@ -5,9 +5,9 @@
 
 use rustc_hash::FxHashSet;
 
-use super::{Parameter, ParameterKind, Patch, PdeTerm, Problem};
+use super::{Constraint, Parameter, ParameterKind, Patch, PdeTerm, Problem};
 use crate::diagnostic::{Code, Diagnostic};
-use crate::expr::{Derivative, ExprId, Node, Notation, Variable};
+use crate::expr::{ExprId, Node, Notation, Variable};
 use crate::limits::Limits;
 
 /// The parts of a problem in one notation, each ready to print.
@@ -201,21 +201,15 @@ impl Writer<'_> {
     }
 
     fn constraints(&self, patch: &Patch) -> Result<String, Diagnostic> {
-        let at_u = patch.conditions.iter().map(|c| (Variable::U, c.u, c.order, c.value));
-        let at_v = patch.side_conditions.iter().map(|c| (Variable::V, c.v, c.order, c.value));
         let mut rows = Vec::new();
         let mut opened: Option<(Variable, ExprId)> = None;
-        for (across, position, order, value) in at_u.chain(at_v) {
+        for Constraint { across, position, derivative, value } in patch.constraints() {
             if opened != Some((across, position)) {
                 let (name, at) = (across.name(), self.text(position)?);
                 rows.push(if self.is_latex() { format!("{name} &= {at}") } else { format!("at {name} = {at}:") });
                 opened = Some((across, position));
             }
             let value = self.vector(value)?;
-            let derivative = match across {
-                Variable::U => Derivative::new(order, 0, 0),
-                _ => Derivative::new(0, order, 0),
-            };
             rows.push(if self.is_latex() {
                 format!("{} &= {value}", derivative.of(r"\mathbf{S}", self.notation))
             } else {

@@ -159,6 +159,38 @@ impl Patch {
     }
 }
 
+/// `∂^k S = value` at one u or at one v.
+#[derive(Debug, Clone, Copy)]
+pub struct Constraint {
+    /// The variable that is fixed.
+    pub across: Variable,
+    /// The position, constant.
+    pub position: ExprId,
+    /// The derivative in that variable.
+    pub derivative: Derivative,
+    /// The prescribed x, y and z.
+    pub value: [ExprId; 3],
+}
+
+impl Patch {
+    /// All constraints: those at fixed u, then those at fixed v.
+    pub fn constraints(&self) -> impl Iterator<Item = Constraint> {
+        let at_u = self.conditions.iter().map(|condition| Constraint {
+            across: Variable::U,
+            position: condition.u,
+            derivative: Derivative::new(condition.order, 0, 0),
+            value: condition.value,
+        });
+        let at_v = self.side_conditions.iter().map(|condition| Constraint {
+            across: Variable::V,
+            position: condition.v,
+            derivative: Derivative::new(0, condition.order, 0),
+            value: condition.value,
+        });
+        at_u.chain(at_v)
+    }
+}
+
 impl SideCondition {
     /// What the condition fixes, for people: `S at v = 0`, `∂S/∂v at v = 1`.
     #[must_use]

@@ -13,6 +13,7 @@ use crate::trial::Modes;
 pub type Coefficients = Vec<[f64; 3]>;
 
 /// A surface over modes φ_m(u) and a basis F_j(v, t).
+#[derive(Clone)]
 pub struct SeparableSurface {
     /// The modes φ_m; usually cardinal functions, then corrected trial functions.
     pub modes: Arc<dyn Modes>,

@@ -148,3 +148,50 @@ fn boundary_of_high_order_on_a_long_interval_is_met_to_rounding() {
         assert!(miss <= 1e-13, "{miss:.1e}\n{text}");
     }
 }
+
+/// Data of wave number 5 for an equation with a param a.
+fn with_layers(equation: &str) -> String {
+    format!(
+        "param a = 2000\npde {equation} = 0
+        at u = 0: S = [cos(5v), sin(5v), 0], dS/du = 0
+        at u = 1: S = [2cos(5v), 2sin(5v), 1], dS/du = 0\n"
+    )
+}
+
+#[test]
+fn layers_too_thin_for_exact_are_solved_by_fourier_in_closed_form() {
+    let mut blend = blend(&with_layers("(d2/du2 + a^2 d2/dv2)^2 S"));
+    let solution = blend.solve(0, 0.0).expect("a solution");
+    assert_eq!(solution.report.method, "fourier");
+    let [note] = solution.report.warnings.as_slice() else { panic!("{:?}", solution.report.warnings) };
+    assert_eq!(note.code, Code::MethodPassedOver);
+    assert!(note.message.starts_with("solved by `fourier`, not by `exact`: the solution along `"), "{note}");
+    assert!(note.message.contains("layers too thin for 512 terms"), "{note}");
+    // Of (D² - w²)² G = 0 with w = 5a one end is e^-10000 at the other: G = (1 + s) e^-s with s = w u.
+    let w = 5.0 * 2000.0;
+    for (u, v) in [(1e-5_f64, 0.3_f64), (1e-4, 2.0), (4e-4, 5.1), (0.5, 1.0)] {
+        let [x, y, _] = at(&*solution.surface, "", [u, v, 0.0]);
+        let layer = (1.0 + w * u) * (-w * u).exp();
+        assert!((x - layer * (5.0 * v).cos()).abs() < 1e-13, "{u} {v}: {x}");
+        assert!((y - layer * (5.0 * v).sin()).abs() < 1e-13, "{u} {v}: {y}");
+    }
+    let measured = blend.verify(0, &solution, 0.0).expect("finite");
+    assert!(measured.boundary_error() < 1e-14 && measured.relative_residual() < 1e-13, "{measured:?}");
+    // The numbers decide anew each time.
+    for (value, expected) in [("2", "exact"), ("3000", "fourier"), ("20", "exact")] {
+        blend.set("a", value).expect("a param");
+        assert_eq!(method(&blend, 0.0), expected, "{value}");
+    }
+}
+
+#[test]
+fn layers_that_neither_exact_nor_fourier_resolve_are_refused_with_both_reasons() {
+    // Without a closed form `fourier` solves each wave number as `exact` does.
+    let refused = blend(&with_layers("d4S/du4 + a^4 d4S/dv4")).solve(0, 0.0).err().expect("too thin");
+    assert_eq!(refused.code, Code::SolutionNotFinite);
+    assert!(refused.message.contains("layers too thin"), "{refused}");
+    assert!(refused.hints.iter().any(|hint| hint.starts_with("fourier: the solution along")), "{refused:?}");
+    let open = with_layers("d4S/du4 + a^4 d4S/dv4").replace("cos(5v)", "e^(5v)");
+    let refused = blend(&open).solve(0, 0.0).err().expect("too thin");
+    assert!(refused.hints.iter().any(|hint| hint.contains("is not periodic over the range of v")), "{refused:?}");
+}

@@ -275,8 +275,18 @@ fn like_terms_merge_and_cancel() {
 #[test]
 fn products_of_sums_expand() {
     assert_eq!(terms_of("(a + v)*(b - t)"), pairs(&[("1", "a*b"), ("t", "-a"), ("v", "b"), ("v*t", "-1")]),);
-    assert_eq!(basis_of("(1 + v)^3").len(), 4);
-    assert_eq!(basis_of("(1 + v + t)^3").len(), 10);
+    assert_eq!(basis_of("(1 + sin v)^3").len(), 4);
+    assert_eq!(basis_of("(1 + v + sin t)^3").len(), 10);
+}
+
+#[test]
+fn powers_of_first_degree_polynomials_stay_whole_but_in_arguments() {
+    assert_eq!(terms_of("a (v - 10)^6"), pairs(&[("(-10 + v)^6", "a")]));
+    assert_eq!(terms_of("(2(v - b))^3 (v - b)"), pairs(&[("v*(2*v - 2*b)^3", "1"), ("(2*v - 2*b)^3", "-b")]));
+    assert_eq!(terms_of("(v + t)^2 + v"), pairs(&[("(v + t)^2", "1"), ("v", "1")]));
+    assert_eq!(basis_of("sin((v + 1)^2) - sin(v^2 + 2v + 1)").len(), 0);
+    // A first power has no digits to lose that its parts had.
+    assert_eq!(basis_of("v - 10"), ["1", "v"]);
 }
 
 #[test]

@@ -237,6 +237,16 @@ fn sweep_of_figure_4_has_one_resonance_and_says_so_on_both_sides() {
 }
 
 #[test]
+fn critical_value_of_a_number_in_the_equation_is_named_with_its_term() {
+    // 0.01 D⁴ - 10 D² has the first clamped eigenvalue 113.594841 (reference of figure 4); along sin v the rest is 1 - 114.
+    let text = "pde 0.01 d4S/du4 + 10 d4S/du2dv2 + d4S/dv4 - 114 S = 0
+        at u = 0: S = [cos(v), sin(v), 1], dS/du = [0, 0, 1]\nat u = 1: S = [cos(v), sin(v), 0], dS/du = [0, 0, 1]";
+    let solution = blend(text).solve(0, 0.0).expect("solvable");
+    let hint = &solution.report.warnings.first().expect("a note").hints[0];
+    assert!(hint.starts_with("there is no solution with `-114.594841 S` for `-114 S`, or with `"), "{hint}");
+}
+
+#[test]
 fn critical_value_is_found_where_a_coefficient_enters_the_equation_as_a_square() {
     // S'' + a² S = 0 is resonant at a = π, and S'' + (a + a³) S = 0 where a + a³ = π².
     for (term, start, critical) in [("a^2", "3.1", "a = 3.141593"), ("(a + a^3)", "2.0", "a = 1.989923")] {

@@ -162,7 +162,7 @@ fn narrow_periodic_data_do_not_hide_from_the_samples_of_a_series() {
     // Between 64 samples the spike is not seen; the series would be that of a constant.
     let refused = solved(&with_data("3/(1 + 1e10 sin((v - 3.01)/2)^2)")).expect_err("no series of 256 modes has it");
     assert_eq!(refused.code, Code::UnsupportedByMethod);
-    assert!(refused.message.contains("of boundary data of size 3.0e0"), "{refused}");
+    assert!(refused.message.contains("of the boundary data of size 3.0e0"), "{refused}");
 }
 
 #[test]

@@ -35,6 +35,7 @@ mod fields;
 mod figures;
 mod fitting;
 mod folds;
+mod forces;
 mod formatting;
 mod four_sided;
 #[cfg(feature = "cli")]
@@ -57,6 +58,7 @@ mod patches;
 #[cfg(feature = "render")]
 mod pictures;
 mod polynomial;
+mod polynomials;
 mod readings;
 mod reference;
 mod robustness;

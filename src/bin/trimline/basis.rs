@@ -8,6 +8,7 @@ use trimline::decompose::{Decomposition, close};
 use trimline::diagnostic::{Code, Diagnostic};
 use trimline::expr::{ExprId, Notation};
 use trimline::limits::Limits;
+use trimline::problem::Constraint;
 
 use crate::Outcome;
 use crate::failure::Failure;
@@ -53,6 +54,9 @@ struct PatchBasis {
     name: String,
     basis: Vec<Function>,
     conditions: Vec<Condition>,
+    /// Data on four sides, which are not factored; then there are no conditions.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    sides: Vec<Side>,
     /// The functions that the closure adds.
     #[serde(skip_serializing_if = "Option::is_none")]
     closure: Option<Vec<String>>,
@@ -75,6 +79,15 @@ struct Condition {
     values: Vec<[f64; 3]>,
 }
 
+#[derive(Serialize)]
+struct Side {
+    /// The position, under the name of the variable that is fixed: `u` or `v`.
+    #[serde(flatten)]
+    position: Map<String, Value>,
+    order: usize,
+    value: [String; 3],
+}
+
 pub fn run(arguments: &Arguments, _terminal: &Terminal) -> Outcome {
     if arguments.closure && arguments.format == Format::Latex {
         return Err(Failure::Usage("--closure is printed as text or JSON".to_owned()));
@@ -94,7 +107,7 @@ pub fn run(arguments: &Arguments, _terminal: &Terminal) -> Outcome {
             Format::Text => {
                 let text = decomposition.to_text(Notation::Unicode, &spec.limits);
                 texts.push(text.map_err(|finding| spec.fault(finding))?);
-                if arguments.closure {
+                if arguments.closure && !patch.is_four_sided() {
                     let text = close(&specialised(), &spec.limits).and_then(|closure| {
                         closure.to_text(decomposition.basis.len(), Notation::Unicode, &spec.limits)
                     });
@@ -108,7 +121,7 @@ pub fn run(arguments: &Arguments, _terminal: &Terminal) -> Outcome {
             Format::Json => {
                 let basis = patch_basis(&decomposition, spec.bindings.as_slice(), &spec.limits);
                 let mut basis = basis.map_err(|finding| spec.fault(finding))?;
-                if arguments.closure {
+                if arguments.closure && !patch.is_four_sided() {
                     basis.closure = Some(added(&specialised(), &spec.limits).map_err(|finding| spec.fault(finding))?);
                 }
                 patches.push(basis);
@@ -135,7 +148,8 @@ fn patch_basis(decomposition: &Decomposition, params: &[f64], limits: &Limits) -
         basis.push(Function { name: format!("F{}", index + 1), expr: text(function.expr)?, derivatives });
     }
     let mut conditions = Vec::new();
-    for (index, condition) in decomposition.patch.conditions.iter().enumerate() {
+    let is_factored = !decomposition.patch.is_four_sided();
+    for (index, condition) in decomposition.patch.conditions.iter().enumerate().filter(|_| is_factored) {
         let rows = decomposition.coefficients.get(index).into_iter().flatten();
         let value = |expr: ExprId| decomposition.graph.value(expr, params, [f64::NAN; 3]);
         let mut coefficients = Vec::new();
@@ -150,7 +164,12 @@ fn patch_basis(decomposition: &Decomposition, params: &[f64], limits: &Limits) -
             values: rows.map(|vector| vector.map(value)).collect(),
         });
     }
-    Ok(PatchBasis { name: decomposition.patch.name.clone(), basis, conditions, closure: None })
+    let mut sides = Vec::new();
+    for Constraint { across, position, derivative, value: [x, y, z] } in decomposition.sides() {
+        let position = Map::from_iter([(across.name().to_owned(), Value::String(text(position)?))]);
+        sides.push(Side { position, order: derivative.order(across), value: [text(x)?, text(y)?, text(z)?] });
+    }
+    Ok(PatchBasis { name: decomposition.patch.name.clone(), basis, conditions, sides, closure: None })
 }
 
 /// The functions that the closure adds to the basis.

@@ -52,6 +52,8 @@ struct PatchSolution {
     amplification: Option<f64>,
     condition: Option<f64>,
     truncation: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    force_truncation: Option<f64>,
     rank: usize,
     unknowns: usize,
     warnings: Vec<Warning>,
@@ -139,6 +141,7 @@ fn patch_solution(patched: &Patched, solved: &Solved, parse_seconds: f64) -> Pat
         pde_residual: measured.relative_residual(),
         amplification: report.amplification,
         truncation: report.truncation.as_ref().map(|truncation| truncation.left_out),
+        force_truncation: report.truncation.as_ref().and_then(|truncation| truncation.of_force),
         condition: report.condition.filter(|condition| condition.is_finite()),
         rank: report.rank,
         unknowns: report.unknowns,
@@ -159,10 +162,10 @@ fn function_coefficients(surface: &SeparableSurface, conditions: usize, report: 
     let all = surface.coefficients.first().map_or(&[][..], Vec::as_slice);
     let of_function = |(j, name): (usize, &String)| {
         let vectors: Vec<[f64; 3]> = all.iter().skip(j).step_by(count.max(1)).copied().collect();
-        let (boundary, terms) = match &report.truncation {
-            None => vectors.split_at_checked(conditions).unwrap_or_default(),
-            // Each wave number has functions of u of its own, as many as there are conditions.
-            Some(_) => {
+        // A series without a closure has for each wave number functions of u of its own, as many as there are conditions.
+        let (boundary, terms) = match report.truncation.is_some() && report.closure_size.is_none() {
+            false => vectors.split_at_checked(conditions).unwrap_or_default(),
+            true => {
                 let mut each = vectors.chunks(conditions.max(1));
                 (each.find(|own| own.iter().any(|vector| *vector != [0.0; 3])).unwrap_or_default(), &[][..])
             }
@@ -189,6 +192,9 @@ fn write_text(text: &mut String, solution: &PatchSolution, patched: &Patched) {
     let _ = writeln!(text, "PDE residual    {} of the largest term", rounded(solution.pde_residual));
     if let Some(truncation) = solution.truncation {
         let _ = writeln!(text, "series          leaves out {}", rounded(truncation));
+    }
+    if let Some(share) = solution.force_truncation {
+        let _ = writeln!(text, "force's series  leaves out {} of it", rounded(share));
     }
     if let Some(amplification) = solution.amplification {
         let _ = writeln!(text, "amplification   {}", rounded(amplification));

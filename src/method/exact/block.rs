@@ -45,6 +45,15 @@ impl BlockSystem {
         }
     }
 
+    /// Everything that decides the block's matrix at given nodes, bit for bit.
+    pub fn numbers(&self) -> Vec<u64> {
+        let of_entry = |(order, equation, unknown, values): &(usize, usize, usize, Vec<f64>)| {
+            let place = [*order, *equation, *unknown].map(|number| number as u64);
+            place.into_iter().chain(values.iter().map(|value| value.to_bits())).collect::<Vec<u64>>()
+        };
+        self.entries.iter().flat_map(of_entry).collect()
+    }
+
     /// Whether the derivatives of order `order` follow from the rest of the block, at every node.
     pub fn determines_highest(&self, order: usize) -> bool {
         let nodes = self.entries.iter().map(|(.., values)| values.len()).max().unwrap_or(1);
@@ -124,6 +133,11 @@ impl Factorised {
         }
         let lu = matrix.clone().lu();
         lu.is_invertible().then_some(Factorised { lu, matrix })
+    }
+
+    /// The matrix that was factorised.
+    pub fn matrix(&self) -> &DMatrix<f64> {
+        &self.matrix
     }
 
     /// The solution for each column of `right`, with one step of refinement.

@@ -8,6 +8,8 @@
 
 mod amplification;
 mod block;
+mod component;
+mod critical;
 mod discretisation;
 mod system;
 
@@ -20,15 +22,16 @@ use super::{Method, Options, Report, Solution, Solver};
 use crate::decompose::{Closure, Decomposition, close};
 use crate::diagnostic::{Code, Diagnostic, Shortest, Span};
 use crate::eval::{Backend, Evaluator, Program, compile};
-use crate::expr::{ExprId, Graph, Notation};
+use crate::expr::{ExprId, Notation};
 use crate::features::{Feature, locate};
 use crate::limits::Limits;
+use crate::problem::PdeOperator;
 use crate::surface::{Basis, Coefficients, SeparableSurface};
 use crate::trial::{CorrectedTrial, Modes};
 
-use block::{BlockSystem, Factorised};
+use block::Factorised;
 use discretisation::Discretisation;
-use system::{Place, System, evaluate};
+use system::{System, evaluate};
 
 /// The method `exact`.
 pub struct Exact;
@@ -75,16 +78,17 @@ impl Method for Exact {
             let message = format!("the tolerance {tolerance} lies outside [1e-15, 1e-2]");
             Err(Diagnostic::new(Code::SettingOutOfRange, message).at(origin))
         })?;
-        let Closure { mut graph, functions, derivatives, force } = close(decomposition, &options.limits)?;
-        let closure = Closure { graph: graph.clone(), functions: functions.clone(), derivatives, force: force.clone() };
+        let closure = close(decomposition, &options.limits)?;
+        let mut graph = closure.graph.clone();
         let system = System::build(&mut graph, &closure, &decomposition.operator);
         let varies_with_u = |exprs: &[ExprId]| exprs.iter().any(|expr| graph.dependence(*expr).u);
         let entries: Vec<ExprId> = system.entries.iter().map(|(_, expr)| *expr).collect();
-        let forces: Vec<ExprId> = force.iter().flatten().copied().collect();
+        let forces: Vec<ExprId> = closure.force.iter().flatten().copied().collect();
         let positions = decomposition.patch.conditions.iter().map(|condition| condition.u);
         let constants: Vec<ExprId> =
             positions.chain(decomposition.coefficients.iter().flatten().flatten().copied()).collect();
         let interpreted = |outputs: &[ExprId]| compile(Program::compile(&graph, outputs), Backend::Interpreter).0;
+        let functions = &closure.functions;
         let names = functions
             .iter()
             .map(|(expr, _)| graph.text(*expr, Notation::Ascii, 60).unwrap_or_else(|_| "a long expression".to_owned()));
@@ -95,15 +99,16 @@ impl Method for Exact {
             basis_size: decomposition.basis.len(),
             origins: functions.iter().map(|(_, origin)| *origin).collect(),
             names: names.collect(),
-            coefficients: amplification::coefficient_symbols(decomposition),
+            coefficients: critical::coefficient_symbols(decomposition),
+            operator: decomposition.operator.clone(),
             has_force: forces.iter().any(|expr| !graph.is_zero(*expr)),
             entries_vary: varies_with_u(&entries),
             varying: entries.iter().chain(&forces).copied().filter(|expr| graph.dependence(*expr).u).collect(),
-            graph: graph.clone(),
             entry_values: interpreted(&entries),
             force_values: interpreted(&forces),
             constant_values: interpreted(&constants),
-            basis: Arc::new(Basis::new(&graph, &functions, options.backend, &options.limits)),
+            basis: Arc::new(Basis::new(&graph, functions, options.backend, &options.limits)),
+            closure: Closure { graph, ..closure },
             system,
         }))
     }
@@ -125,7 +130,9 @@ struct ExactSolver {
     entries_vary: bool,
     /// Entries and forces that depend on u, which may be narrow there.
     varying: Vec<ExprId>,
-    graph: Graph,
+    operator: PdeOperator,
+    /// The closure, its graph extended by the system.
+    closure: Closure,
     system: System,
     entry_values: Arc<dyn Evaluator>,
     force_values: Arc<dyn Evaluator>,
@@ -176,7 +183,7 @@ impl Solver for ExactSolver {
             range,
             functionals: positions.iter().copied().zip(self.orders.iter().copied()).collect(),
             boundary: boundary.to_vec(),
-            features: locate(&self.graph, &self.varying, params, [range, range], 0.0).u,
+            features: locate(&self.closure.graph, &self.varying, params, [range, range], 0.0).u,
             solved: vec![None; self.basis.len()],
             modes: FxHashMap::default(),
             discretisations: FxHashMap::default(),
@@ -225,7 +232,7 @@ impl Solver for ExactSolver {
         Ok(Solution { surface: Arc::new(surface), report })
     }
 
-    fn solves_once(&self) -> bool {
+    fn is_everlasting(&self, _solution: &Solution) -> bool {
         true
     }
 }
@@ -313,154 +320,6 @@ impl ExactSolver {
             before = Some(residual);
             terms = (terms * 3 / 2).next_multiple_of(6).min(MOST_TERMS);
         }
-    }
-
-    /// The weights of the trial functions of all members, for some columns x, y, z.
-    fn solve_component(
-        &self,
-        members: &[usize],
-        component: usize,
-        columns: std::ops::Range<usize>,
-        discretisation: &Discretisation,
-        terms: usize,
-        progress: &mut Progress<'_>,
-    ) -> Result<DMatrix<f64>, Diagnostic> {
-        let (block, right, _) = self.block_of(members, component, discretisation, terms, progress);
-        let right = right.columns(columns.start, columns.len()).into_owned();
-        let cardinal = discretisation.tables.cardinal;
-        let j = members.first().copied().unwrap_or(0);
-        if !block.determines_highest(self.order) {
-            return Err(self.order_drops(j));
-        }
-        if right.iter().all(|value| *value == 0.0) {
-            return Ok(DMatrix::zeros(members.len() * terms, columns.len()));
-        }
-        let key = (
-            terms,
-            block
-                .entries
-                .iter()
-                .flat_map(|(p, a, b, values)| {
-                    [*p as u64, *a as u64, *b as u64].into_iter().chain(values.iter().map(|value| value.to_bits()))
-                })
-                .collect::<Vec<u64>>(),
-        );
-        let factorised = match progress.factorised.get(&key) {
-            Some(known) => Arc::clone(known),
-            None => {
-                let trial = cardinal..cardinal + terms;
-                let matrix = block.matrix(&discretisation.tables, trial.clone());
-                if matrix.iter().chain(right.iter()).any(|value| !value.is_finite()) {
-                    return Err(self.overflows(j));
-                }
-                let factorised = Factorised::new(matrix);
-                let factorised = Arc::new(factorised.ok_or_else(|| self.resonant(None, None, j))?);
-                let definite = block.definite_matrix(&discretisation.tables, trial);
-                let amplification = factorised.amplification(&definite, block.is_symmetric(self.order));
-                if !amplification.is_finite() {
-                    return Err(self.overflows(j));
-                }
-                let amplified = Amplified {
-                    factor: amplification,
-                    members: members.to_vec(),
-                    component,
-                    terms,
-                    factorised: Arc::clone(&factorised),
-                };
-                if amplification > amplification::RESONANT {
-                    return Err(self.resonant_at(&amplified, progress));
-                }
-                if progress.worst.as_ref().is_none_or(|worst| amplification > worst.factor) {
-                    progress.worst = Some(amplified);
-                }
-                progress.factorised.insert(key, Arc::clone(&factorised));
-                factorised
-            }
-        };
-        // Resonance is refused above, so what is not finite here has overflowed.
-        factorised.solve(&right).ok_or_else(|| self.overflows(j))
-    }
-
-    /// The largest residual of a block's equations at `nodes` others than they were imposed at, relative to their
-    /// largest term: where it is small, the solution is resolved.
-    fn residual_at(
-        &self,
-        members: &[usize],
-        component: usize,
-        columns: std::ops::Range<usize>,
-        weights: &DMatrix<f64>,
-        nodes: usize,
-        progress: &mut Progress<'_>,
-    ) -> Result<f64, Diagnostic> {
-        let terms = weights.nrows() / members.len().max(1);
-        let discretisation = self.discretise(nodes, terms, progress)?;
-        let nodes = discretisation.tables.values.first().map_or(0, DMatrix::nrows);
-        let (block, right, largest) = self.block_of(members, component, &discretisation, nodes, progress);
-        let cardinal = discretisation.tables.cardinal;
-        let trial = cardinal..cardinal + terms;
-        let image = block.matrix(&discretisation.tables, trial.clone()) * weights;
-        // Single terms, not their sum: near resonance large terms cancel.
-        let scale = largest.max(block.largest_term(&discretisation.tables, trial, weights));
-        let residual = (right.columns(columns.start, columns.len()) - image).amax();
-        Ok(match residual / scale {
-            _ if scale == 0.0 => 0.0,
-            ratio if ratio.is_nan() => f64::INFINITY,
-            ratio => ratio,
-        })
-    }
-
-    /// The numbers of a block, its right-hand side (force, boundary part, and functions solved before), and the
-    /// largest single term of the latter.
-    fn block_of(
-        &self,
-        members: &[usize],
-        component: usize,
-        discretisation: &Discretisation,
-        terms: usize,
-        progress: &Progress<'_>,
-    ) -> (BlockSystem, DMatrix<f64>, f64) {
-        let tables = &discretisation.tables;
-        let mut right = DMatrix::zeros(members.len() * terms, 3);
-        for (member, &j) in members.iter().enumerate() {
-            for axis in 0..3 {
-                let force = discretisation.forces.get(3 * j + axis).map_or(&[][..], Vec::as_slice);
-                for (slot, value) in right.view_mut((member * terms, axis), (terms, 1)).iter_mut().zip(force) {
-                    *slot = *value;
-                }
-            }
-        }
-        let mut largest = right.amax();
-        let mut entries = Vec::new();
-        for ((place, _), values) in self.system.entries.iter().zip(&discretisation.entries) {
-            let Place { component: of, equation, unknown, order } = *place;
-            let Some(row) = members.iter().position(|member| *member == equation) else { continue };
-            if of != component {
-                continue;
-            }
-            let own = members.iter().position(|member| *member == unknown);
-            // Inside the block the boundary part of G is known; outside all of it.
-            let known = match own {
-                Some(_) => Some(self.stated(unknown, progress)),
-                None => progress.solved.get(unknown).cloned().flatten(),
-            };
-            if let (Some(known), Some(table)) = (known, tables.values.get(order)) {
-                let image = table.columns(0, known.nrows()) * known;
-                for node in 0..terms {
-                    let factor = match values.as_slice() {
-                        [all] => *all,
-                        _ => values.get(node).copied().unwrap_or(f64::NAN),
-                    };
-                    let term = image.row(node) * factor;
-                    largest = largest.max(term.amax());
-                    let mut target = right.row_mut(row * terms + node);
-                    target -= term;
-                }
-            }
-            if let Some(column) = own {
-                entries.push((order, row, column, values.clone()));
-            }
-        }
-        (BlockSystem { entries, members: members.len() }, right, largest)
     }
 
     /// The boundary coefficients of function `j`, a row per condition; zero for functions the closure added.

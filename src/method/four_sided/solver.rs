@@ -103,7 +103,7 @@ impl Solver for Arc<FourSidedSolver> {
         Ok(Solution { surface: Arc::new(surface), report })
     }
 
-    fn solves_once(&self) -> bool {
+    fn is_everlasting(&self, _solution: &Solution) -> bool {
         !self.varies_in_time
     }
 }

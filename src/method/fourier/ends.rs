@@ -6,7 +6,7 @@
 
 use crate::decompose::{BasisFunction, Decomposition};
 use crate::diagnostic::Diagnostic;
-use crate::expr::{Number, Variable};
+use crate::expr::{ExprId, Graph, Number, Variable};
 use crate::method::exact::Exact;
 use crate::method::{Method, Options, Settings, Solution};
 use crate::numeric::CardinalPolynomials;
@@ -18,7 +18,7 @@ pub const MOST_DERIVATIVES: usize = 2;
 #[derive(Debug, Clone)]
 pub struct Ends {
     /// The middle of the range of v.
-    pub middle: f64,
+    middle: f64,
     half: f64,
     /// Coefficients of powers of `(v - middle) / half`, condition after condition; zeros for what is periodic.
     coefficients: Vec<Vec<f64>>,
@@ -60,6 +60,14 @@ impl Ends {
     /// How many powers there are.
     pub fn powers(&self) -> usize {
         self.coefficients.first().map_or(0, Vec::len)
+    }
+
+    /// A power of `v - middle`.
+    pub fn power(&self, graph: &mut Graph, power: usize) -> ExprId {
+        let v = graph.variable(Variable::V);
+        let back = graph.number(Number::from_f64(-self.middle).unwrap_or(Number::integer(0)));
+        let moved = graph.sum([v, back]);
+        graph.power_integer(moved, i64::try_from(power).unwrap_or(i64::MAX))
     }
 
     /// The coefficient of a power of `v - middle`.

@@ -1,5 +1,5 @@
-//! Fourier series along v: boundary data of any functions, for equations with coefficients that depend on neither v nor t
-//! (González Castro, Ugail, Willis and Palmer 2006, corrected; docs/methods.md, F1 to F5).
+//! Fourier series along v: boundary data and forces of any functions of v, for equations with coefficients that depend on
+//! neither v nor t (González Castro, Ugail, Willis and Palmer 2006, corrected; docs/methods.md, F1 to F6).
 //!
 //! Each wave number is a problem of its own, solved exactly: by the equation's own exponentials where it is
 //! `(∂²/∂u² + a² ∂²/∂v²)^m S = 0`, by [`exact`](super::exact) otherwise, for which a truncated series is a problem with
@@ -9,21 +9,25 @@
 //! t is a parameter: each instant has its own series.
 
 mod ends;
+mod force;
 mod modal;
 mod series;
 
 use std::sync::Arc;
 
-use super::{Method, Numbers, Options, Report, Solution, Solver, Truncation};
+use super::exact::Exact;
+use super::{Method, Numbers, Options, Report, Settings, Solution, Solver, Truncation};
 use crate::decompose::{Decomposition, close};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Shortest};
 use crate::eval::{Backend, Evaluator, Program, Samples, compile};
 use crate::expr::ExprId;
 use crate::limits::Limits;
+use crate::surface::SeparableSurface;
 use crate::trial::{CardinalExponentials, Modes};
 
+use force::Force;
 use modal::{Assembly, Numerals};
-use series::{BoundaryData, Length, Series};
+use series::{Length, Series, SeriesData};
 
 /// The method `fourier`.
 pub struct Fourier;
@@ -57,14 +61,23 @@ impl Method for Fourier {
         if operator.order_in_t() > 0 {
             return refuse("the method `fourier` cannot treat derivatives in t: each instant is solved alone");
         }
-        // A force is solved for on the closure of its own functions.
-        close(&Decomposition { basis: Vec::new(), ..decomposition.clone() }, limits).map(|_| ())
+        Force::compile(decomposition, limits).map(|_| ())
     }
 
-    fn suits(&self, decomposition: &Decomposition, numbers: &Numbers<'_>) -> Result<(), Diagnostic> {
-        let data = BoundaryData::compile(decomposition);
+    fn suits(&self, decomposition: &Decomposition, numbers: &Numbers<'_>, limits: &Limits) -> Result<(), Diagnostic> {
+        let data = SeriesData::of_boundary(decomposition);
+        let force = Force::compile(decomposition, limits)?;
         let [start, end] = numbers.domain.t;
-        let instants = if data.varies_in_time { vec![start, 0.5 * (start + end), end] } else { vec![start] };
+        let is_moving = data.varies_in_time || force.varies_in_time();
+        let instants = if is_moving { vec![start, 0.5 * (start + end), end] } else { vec![start] };
+        let length = Length::Adaptive(DEFAULT_TOLERANCE, limits.modes);
+        for &t in &instants {
+            let series = force.series(length, numbers.domain.v, t, numbers.params)?;
+            series.iter().try_for_each(|series| refuse_divergence(length, series))?;
+        }
+        if force.is_open() && boundary_closes(decomposition, limits) {
+            return Ok(());
+        }
         let are_periodic =
             instants.into_iter().try_for_each(|t| data.check_periodic(numbers.domain.v, t, numbers.params));
         // Data that do not close are for other methods, but for those without the derivatives that these need.
@@ -87,17 +100,41 @@ impl Method for Fourier {
         let constants: Vec<ExprId> = positions.chain(stated).chain(factors).collect();
         let has_varying = operator.terms.iter().flat_map(|term| term.coefficient).any(|expr| graph.dependence(expr).u);
         let remainder = remainder(decomposition, options)?;
+        let has_remainder = remainder.is_some();
+        let carrying = remainder.unwrap_or_else(|| decomposition.clone());
         Ok(Box::new(FourierSolver {
             length: length(options)?,
-            has_remainder: remainder.is_some(),
-            data: BoundaryData::compile(decomposition),
+            has_remainder,
+            data: SeriesData::of_boundary(decomposition),
+            force: Force::compile(&carrying, &options.limits)?,
+            boundary_closes: boundary_closes(decomposition, &options.limits),
             constant_values: compile(Program::compile(graph, &constants), Backend::Interpreter).0,
             // The closed form is one of constant coefficients and no force.
             may_be_modal: !has_varying && operator.is_homogeneous(graph),
-            decomposition: remainder.unwrap_or_else(|| decomposition.clone()),
+            decomposition: carrying,
             options: options.clone(),
         }))
     }
+}
+
+/// Whether `exact` can treat the boundary data as they are.
+fn boundary_closes(decomposition: &Decomposition, limits: &Limits) -> bool {
+    let mut without_force = decomposition.clone();
+    without_force.operator.force = [without_force.graph.integer(0); 3];
+    close(&without_force, limits).is_ok()
+}
+
+/// Refuses a function that as many modes as are allowed do not come near: it jumps, has a pole, or varies too fast.
+fn refuse_divergence(length: Length, series: &Series) -> Result<(), Diagnostic> {
+    if matches!(length, Length::Fixed(_)) || series.left_out <= LARGEST_PART_LEFT_OUT * series.size {
+        return Ok(());
+    }
+    let (modes, left_out, subject, size) = (series.modes(), series.left_out, &series.subject, series.size);
+    let message =
+        format!("a Fourier series of {modes} modes leaves out {left_out:.1e} of {subject} of size {size:.1e}");
+    Err(Diagnostic::new(Code::UnsupportedByMethod, message).at(series.origin).hint(
+        "data that jump or have a pole in the domain of v have no useful series; fast ones need a higher limit `modes`",
+    ))
 }
 
 /// The number of modes that the settings ask for.
@@ -144,10 +181,19 @@ fn remainder(decomposition: &Decomposition, options: &Options) -> Result<Option<
 /// Of the size of the data: a corner, the roughest data that make sense, leaves out less with 64 modes.
 const LARGEST_PART_LEFT_OUT: f64 = 0.1;
 
+/// The largest share that series of a force leave out; `None` without any.
+fn share_left_out(forces: &[Series]) -> Option<f64> {
+    let share = |series: &Series| if series.size > 0.0 { series.left_out / series.size } else { 0.0 };
+    forces.iter().map(share).reduce(f64::max)
+}
+
 struct FourierSolver {
     length: Length,
     has_remainder: bool,
-    data: BoundaryData,
+    data: SeriesData,
+    force: Force,
+    /// Whether the boundary data have a finite closure.
+    boundary_closes: bool,
     /// Positions, coefficients of the boundary data, coefficients of the equation.
     constant_values: Arc<dyn Evaluator>,
     may_be_modal: bool,
@@ -157,18 +203,24 @@ struct FourierSolver {
 
 impl Solver for FourierSolver {
     fn solve(&self, params: &[f64], [range_u, range_v]: [[f64; 2]; 2], t: f64) -> Result<Solution, Diagnostic> {
+        let forces = self.force.series(self.length, range_v, t, params)?;
+        forces.iter().try_for_each(|series| refuse_divergence(self.length, series))?;
+        if self.force.is_open() && self.boundary_closes {
+            return self.solve_for_force(&forces, (params, [range_u, range_v], t));
+        }
         let series = self.data.series(self.length, range_v, t, params)?;
-        self.refuse_divergence(&series)?;
+        refuse_divergence(self.length, &series)?;
         let numerals = self.numerals(params, range_u)?;
         let mut warnings = Diagnostics::new();
-        let mut assembly = Assembly::new(&self.decomposition, &series);
+        let truncated = self.force.truncated(&self.decomposition, &forces);
+        let mut assembly = Assembly::new(&truncated, &series);
         let rates = if self.may_be_modal { numerals.rates() } else { None };
         let mut amplification = None;
         match &rates {
             Some(rates) => assembly.add_modes(&numerals, &series, rates)?,
             None => {
-                let exact =
-                    assembly.add_exact(&self.decomposition, &series, &self.options, (params, [range_u, range_v], t))?;
+                let options = self.exact_options(forces.iter().chain([&series]));
+                let exact = assembly.add_exact(&truncated, &series, &options, (params, [range_u, range_v], t))?;
                 warnings.extend(exact.warnings);
                 amplification = exact.amplification;
             }
@@ -183,9 +235,11 @@ impl Solver for FourierSolver {
             assembly.add_remainder(&numerals, &series, &decay, &self.decomposition)?;
         }
         let highest = series.modes() + usize::from(self.has_remainder);
-        warnings.extend(self.truncation_warning(&series));
+        let carried = if self.has_remainder { "; the remainder carries it" } else { ", which the surface misses" };
+        warnings.extend(self.truncation_warning(&series, carried));
+        warnings.extend(self.force_warnings(&forces));
         warnings.extend(self.position_warning(&numerals, &decay, series.wave_number * highest as f64));
-        let instant = self.data.varies_in_time.then_some(t);
+        let instant = (self.data.varies_in_time || self.force.varies_in_time()).then_some(t);
         let unknowns = numerals.functionals.len() * (2 * series.modes() + 1);
         let surface = assembly.finish(params, instant, &self.options)?;
         let report = Report {
@@ -198,6 +252,7 @@ impl Solver for FourierSolver {
             amplification,
             truncation: Some(Truncation {
                 left_out: series.left_out,
+                of_force: share_left_out(&forces),
                 places: series.places,
                 has_remainder: self.has_remainder,
             }),
@@ -211,17 +266,45 @@ impl Solver for FourierSolver {
 }
 
 impl FourierSolver {
-    /// Refuses data that as many modes as are allowed do not come near: they jump, have a pole, or vary too fast.
-    fn refuse_divergence(&self, series: &Series) -> Result<(), Diagnostic> {
-        if matches!(self.length, Length::Fixed(_)) || series.left_out <= LARGEST_PART_LEFT_OUT * series.size {
-            return Ok(());
-        }
-        let (modes, left_out, size) = (series.modes(), series.left_out, series.size);
-        let message =
-            format!("a Fourier series of {modes} modes leaves out {left_out:.1e} of boundary data of size {size:.1e}");
-        Err(Diagnostic::new(Code::UnsupportedByMethod, message).at(series.origin).hint(
-            "data that jump or have a pole in the domain of v have no useful series; fast ones need a higher limit `modes`",
-        ))
+    /// The exact solution for boundary data as they are and the truncated force.
+    fn solve_for_force(
+        &self,
+        forces: &[Series],
+        (params, ranges, t): (&[f64], [[f64; 2]; 2], f64),
+    ) -> Result<Solution, Diagnostic> {
+        let truncated = self.force.truncated(&self.decomposition, forces);
+        let solution = Exact.prepare(&truncated, &self.exact_options(forces))?.solve(params, ranges, t)?;
+        let surface = solution.separable()?.clone();
+        let mut warnings = solution.report.warnings;
+        warnings.extend(self.force_warnings(forces));
+        let report = Report {
+            method: Fourier.name(),
+            is_exact: false,
+            modes: forces.iter().map(Series::modes).max().unwrap_or(0),
+            truncation: Some(Truncation {
+                left_out: 0.0,
+                of_force: share_left_out(forces),
+                places: Vec::new(),
+                has_remainder: true,
+            }),
+            warnings,
+            ..solution.report
+        };
+        let instant = self.force.varies_in_time().then_some(t);
+        Ok(Solution { surface: Arc::new(SeparableSurface { instant, ..surface }), report })
+    }
+
+    /// What `exact` is given to solve for truncated series: room for their functions.
+    fn exact_options<'a>(&self, series: impl IntoIterator<Item = &'a Series>) -> Options {
+        let waves = series.into_iter().map(|series| 2 * series.modes() + 1).max().unwrap_or(0);
+        let closure = self.options.limits.closure.saturating_add(waves);
+        let limits = Limits { closure, ..self.options.limits.clone() };
+        Options { settings: Settings::default(), limits, ..self.options.clone() }
+    }
+
+    /// Says what the series of the force leave out, if that is more than was asked for.
+    fn force_warnings(&self, forces: &[Series]) -> Diagnostics {
+        forces.iter().filter_map(|series| self.truncation_warning(series, ", which the equation misses")).collect()
     }
 
     fn numerals(&self, params: &[f64], range: [f64; 2]) -> Result<Numerals, Diagnostic> {
@@ -251,8 +334,8 @@ impl FourierSolver {
         })
     }
 
-    /// Says what the series leaves out, if that is more than was asked for.
-    fn truncation_warning(&self, series: &Series) -> Option<Diagnostic> {
+    /// Says what a series leaves out, if that is more than was asked for, and what becomes of it.
+    fn truncation_warning(&self, series: &Series, consequence: &str) -> Option<Diagnostic> {
         let tolerance = match self.length {
             Length::Adaptive(tolerance, _) => tolerance,
             Length::Fixed(_) => DEFAULT_TOLERANCE,
@@ -260,9 +343,8 @@ impl FourierSolver {
         if series.left_out <= 4.0 * tolerance * series.size {
             return None;
         }
-        let carried = if self.has_remainder { "; the remainder carries it" } else { ", which the surface misses" };
-        let message =
-            format!("{} modes leave out {:.1e} of the boundary data{carried}", series.modes(), series.left_out);
+        let (modes, left_out, subject) = (series.modes(), series.left_out, &series.subject);
+        let message = format!("{modes} modes leave out {left_out:.1e} of {subject}{consequence}");
         let finding = Diagnostic::new(Code::SeriesTruncated, message).at(series.origin);
         let jump = series.corner;
         Some(if jump > 1e-3 * series.size {

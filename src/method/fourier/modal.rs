@@ -7,9 +7,8 @@ use super::series::Series;
 use crate::decompose::{BasisFunction, Decomposition, close};
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::{Derivative, ExprId, Function, Graph, Number, Variable};
-use crate::limits::Limits;
 use crate::method::exact::Exact;
-use crate::method::{Method, Options, Report, Settings};
+use crate::method::{Method, Options, Report};
 use crate::surface::{Basis, SeparableSurface};
 use crate::trial::{CardinalExponentials, JoinedModes, Modes};
 
@@ -166,7 +165,7 @@ impl Assembly {
         }
     }
 
-    /// The exact solution for the truncated series, whatever the equation, force included.
+    /// The exact solution for the truncated series, whatever the equation, force included; `options` are those of `exact`.
     pub fn add_exact(
         &mut self,
         decomposition: &Decomposition,
@@ -174,8 +173,6 @@ impl Assembly {
         options: &Options,
         (params, ranges, t): (&[f64], [[f64; 2]; 2], f64),
     ) -> Result<Report, Diagnostic> {
-        let limits =
-            Limits { closure: options.limits.closure.saturating_add(2 * series.modes() + 1), ..options.limits.clone() };
         let mut graph = self.graph.clone();
         let conditions = decomposition.patch.conditions.len();
         let mut coefficients = Vec::with_capacity(conditions);
@@ -205,10 +202,8 @@ impl Assembly {
             basis: self.functions.iter().map(function).collect(),
             coefficients,
         };
-        let closure = close(&truncated, &limits)?;
-        let settings = Settings::default();
-        let solver = Exact.prepare(&truncated, &Options { settings, limits, ..options.clone() })?;
-        let solution = solver.solve(params, ranges, t)?;
+        let closure = close(&truncated, &options.limits)?;
+        let solution = Exact.prepare(&truncated, options)?.solve(params, ranges, t)?;
         let surface = solution.separable()?;
         let count = surface.basis.len();
         let first = self.add_part(Arc::clone(&surface.modes));
@@ -232,13 +227,9 @@ impl Assembly {
     }
 
     fn add_powers(&mut self, ends: &Ends) {
-        let v = self.graph.variable(Variable::V);
-        let back = self.graph.number(Number::from_f64(-ends.middle).unwrap_or(Number::integer(0)));
-        let moved = self.graph.sum([v, back]);
         for power in 0..ends.powers() {
             self.powers.push(self.functions.len());
-            let power = self.graph.power_integer(moved, i64::try_from(power).unwrap_or(i64::MAX));
-            self.functions.push((power, None));
+            self.functions.push((ends.power(&mut self.graph, power), None));
         }
     }
 
@@ -344,7 +335,7 @@ fn distinct(rates: &[f64; 3]) -> Vec<(f64, Vec<usize>)> {
 }
 
 /// `k v`, with k a whole number where it is one up to rounding.
-fn wave(graph: &mut Graph, k: f64) -> ExprId {
+pub fn wave(graph: &mut Graph, k: f64) -> ExprId {
     let v = graph.variable(Variable::V);
     let whole = k.round();
     let k = if (k - whole).abs() <= 4.0 * f64::EPSILON * whole { whole } else { k };

@@ -1,4 +1,4 @@
-//! The boundary data at one instant as trigonometric series in v.
+//! Boundary data, or functions of a force, at one instant as trigonometric series in v.
 //!
 //! `g_i(v) = p_i(v) + A_0 + Σ_{n <= N} A_n cos nκv + B_n sin nκv + d_i(v)` with κ the wave number of one turn over the
 //! range of v (docs/methods.md, F1), and p_i the polynomial of what is not periodic ([`Ends`]). Coefficients come from equally spaced samples, whose number is doubled until those
@@ -24,8 +24,11 @@ pub enum Length {
     Fixed(usize),
 }
 
-/// The prescribed values of every condition and component, compiled.
-pub struct BoundaryData {
+/// Functions of v and t that are to be expanded, compiled: the prescribed values of every condition and component, or a
+/// function of a force.
+pub struct SeriesData {
+    /// What they are.
+    subject: String,
     values: Arc<dyn Evaluator>,
     graph: Graph,
     outputs: Vec<ExprId>,
@@ -37,11 +40,13 @@ pub struct BoundaryData {
     pub varies_in_time: bool,
 }
 
-/// Truncated series of all prescribed values.
+/// Truncated series of all functions of a [`SeriesData`].
 pub struct Series {
+    /// What is expanded.
+    pub subject: String,
     /// κ: 2π over the length of the range of v.
     pub wave_number: f64,
-    /// The pairs `[A_n, B_n]`, n = 0 … N, of x, y and z of the first condition, then of the second.
+    /// The pairs `[A_n, B_n]`, n = 0 … N, of each function: x, y and z of the first condition, then of the second.
     pub coefficients: Vec<Vec<[f64; 2]>>,
     /// The largest part that is left out: `max |d_i|`.
     pub left_out: f64,
@@ -49,7 +54,7 @@ pub struct Series {
     pub places: Vec<f64>,
     /// Where the data are written of which it is left out.
     pub origin: Option<Span>,
-    /// The largest prescribed value.
+    /// The largest value.
     pub size: f64,
     /// The largest jump of a slope where the range of v closes.
     pub corner: f64,
@@ -71,9 +76,9 @@ const FEWEST: usize = 64;
 /// Samples at most, for coefficients of data with jumps, which no number of samples makes exact.
 const MOST: usize = 1 << 14;
 
-impl BoundaryData {
-    /// Compiles the data of `decomposition`.
-    pub fn compile(decomposition: &Decomposition) -> BoundaryData {
+impl SeriesData {
+    /// Compiles the boundary data of `decomposition`.
+    pub fn of_boundary(decomposition: &Decomposition) -> SeriesData {
         let graph = &decomposition.graph;
         let conditions = &decomposition.patch.conditions;
         let outputs: Vec<ExprId> = conditions.iter().flat_map(|condition| condition.value).collect();
@@ -90,17 +95,28 @@ impl BoundaryData {
             (format!("`{text}` ({what})"), condition.origins.get(component).copied().flatten())
         };
         let each = conditions.iter().flat_map(|condition| [condition; 3]).enumerate();
-        BoundaryData {
+        SeriesData::new("the boundary data".to_owned(), graph, outputs, each.map(name).collect())
+    }
+
+    /// Compiles one function of a force, which reads `text` and is stated at `origin`.
+    pub fn of_force(graph: &Graph, function: ExprId, text: &str, origin: Option<Span>) -> SeriesData {
+        let name = format!("`{text}` in the force");
+        SeriesData::new(name.clone(), graph, vec![function], vec![(name, origin)])
+    }
+
+    fn new(subject: String, graph: &Graph, outputs: Vec<ExprId>, names: Vec<(String, Option<Span>)>) -> SeriesData {
+        SeriesData {
+            subject,
             varies_in_time: outputs.iter().any(|expr| graph.dependence(*expr).t),
             values: compile(Program::compile(graph, &outputs), Backend::Interpreter).0,
-            names: each.map(name).collect(),
+            names,
             slopes: OnceLock::new(),
             graph: graph.clone(),
             outputs,
         }
     }
 
-    /// See [`BoundaryData::slopes`].
+    /// See [`SeriesData::slopes`].
     fn slopes(&self) -> &[Arc<dyn Evaluator>] {
         self.slopes.get_or_init(|| {
             let mut graph = self.graph.clone();
@@ -138,7 +154,7 @@ impl BoundaryData {
             let [value, v, t] = [value, v, Some(t)].map(|number| Shortest(number.unwrap_or(f64::NAN)));
             return Err(Diagnostic::new(Code::DataNotFinite, format!("{name} is {value} at v = {v}, t = {t}"))
                 .at(origin)
-                .hint("boundary data must be finite on the whole domain; change the function or the domain"));
+                .hint("it must be finite on the whole domain; change the function or the domain"));
         }
         Ok(values.chunks(v.len().max(1)).map(<[f64]>::to_vec).collect())
     }
@@ -299,6 +315,7 @@ impl BoundaryData {
         }
         let corner = self.corner(ends, range, t, params)?;
         Ok(Series {
+            subject: self.subject.clone(),
             wave_number,
             coefficients: kept,
             left_out,

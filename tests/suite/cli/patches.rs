@@ -173,3 +173,42 @@ fn mesh_includes_primary_surfaces_over_their_own_ranges_when_asked() {
     let (low, high) = heights.fold((f64::MAX, f64::MIN), |(low, high), z| (low.min(z), high.max(z)));
     assert_eq!((low, high), (-3.0, -2.0));
 }
+
+/// A square with data on four sides, and one with data on two.
+const SIDES: &str = "patch square {
+    at u = 0: S = [0, v, 0], dS/du = [1, 0, 0]
+    at u = 1: S = [1, v, 0], dS/du = [1, 0, 0]
+    at v = 0: S = [u, 0, 0], dS/dv = [0, 1, 0]
+    at v = 1: S = [u, 1, 0], dS/dv = [0, 1, 0]
+}
+patch strip {
+    at u = 0: S = [0, v, 0], dS/du = [1, 0, 0]
+    at u = 1: S = [1, v, 0], dS/du = [1, 0, 0]
+}
+domain v in [0, 1]
+";
+
+#[test]
+fn basis_of_four_sides_is_said_to_be_none_and_the_data_are_printed() {
+    let printed = done(&trimline_reading(SIDES, &["basis", "-"]));
+    let (square, strip) = printed.split_once("basis of `strip`").expect("both patches");
+    assert!(
+        square.starts_with("basis of `square`: none, data on four sides are interpolated and not factored\n"),
+        "{square}"
+    );
+    assert!(square.contains("\nS at u = 0\n  [0, v, 0]\n"), "{square}");
+    assert!(square.contains("\n∂S/∂v at v = 1\n  [0, 1, 0]\n"), "{square}");
+    assert!(!square.contains("F_j"), "{square}");
+    assert!(strip.contains(": 2 functions"), "{strip}");
+    let arguments = ["basis", "-", "--format", "json", "--closure"];
+    let json: Value = serde_json::from_str(&done(&trimline_reading(SIDES, &arguments))).expect("JSON");
+    let [square, strip] = [&json["patches"][0], &json["patches"][1]];
+    let sides = square["sides"].as_array().expect("sides");
+    assert_eq!(sides.len(), 8);
+    assert_eq!(sides[1], serde_json::json!({"u": "0", "order": 1, "value": ["1", "0", "0"]}));
+    assert_eq!(sides[6], serde_json::json!({"v": "1", "order": 0, "value": ["u", "1", "0"]}));
+    assert_eq!((square["conditions"].as_array().map(Vec::len), square.get("closure")), (Some(0), None));
+    assert!(strip.get("sides").is_none() && strip["conditions"].as_array().map(Vec::len) == Some(4), "{strip}");
+    let latex = done(&trimline_reading(SIDES, &["basis", "-", "--format", "latex"]));
+    assert!(latex.contains(r"\left.\mathbf{S}\right|_{v = 1} &= \begin{bmatrix} u \\ 1 \\ 0 \end{bmatrix}"), "{latex}");
+}
