@@ -74,16 +74,23 @@ impl BlockSystem {
         self.assemble(tables, columns, |value, _| value)
     }
 
-    /// The largest single term `B G^(p)` at any node, for functions given by the weights of columns of the tables.
-    pub fn largest_term(&self, tables: &Tables, columns: std::ops::Range<usize>, weights: &DMatrix<f64>) -> f64 {
+    /// Subtracts from `right` what the block makes of functions that are given by the weights of columns of the tables.
+    /// Returns the largest single term `B G^(p)` at any node.
+    pub fn subtract_image(
+        &self,
+        tables: &Tables,
+        columns: std::ops::Range<usize>,
+        weights: &DMatrix<f64>,
+        right: &mut DMatrix<f64>,
+    ) -> f64 {
         let width = columns.len();
-        let term = |(order, _, unknown, values): &(usize, usize, usize, Vec<f64>)| {
-            let Some(table) = tables.values.get(*order) else { return 0.0 };
+        let mut largest: f64 = 0.0;
+        for (order, equation, unknown, values) in &self.entries {
+            let Some(table) = tables.values.get(*order) else { continue };
             let image = table.columns(columns.start, width) * weights.rows(unknown * width, width);
-            let sizes = image.row_iter().enumerate().map(|(node, row)| row.amax() * Self::entry(values, node).abs());
-            sizes.fold(0.0, f64::max)
-        };
-        self.entries.iter().map(term).fold(0.0, f64::max)
+            largest = largest.max(subtract_scaled(right, equation * image.nrows(), &image, values));
+        }
+        largest
     }
 
     /// Whether only every other order from the highest down occurs.
@@ -113,16 +120,39 @@ impl BlockSystem {
         let mut matrix = DMatrix::zeros(self.members * nodes, self.members * width);
         for (order, equation, unknown, values) in &self.entries {
             let Some(table) = tables.values.get(*order) else { continue };
+            let factors: Vec<f64> = values.iter().map(|value| weigh(*value, *order)).collect();
             let mut target = matrix.view_mut((equation * nodes, unknown * width), (nodes, width));
-            for node in 0..nodes {
-                let factor = weigh(Self::entry(values, node), *order);
-                let source = table.row(node);
-                let mut row = target.row_mut(node);
-                row += source.columns(columns.start, width) * factor;
+            for (mut target, source) in target.column_iter_mut().zip(table.columns(columns.start, width).column_iter())
+            {
+                let numbers = target.iter_mut().zip(&source);
+                for ((slot, value), factor) in numbers.zip(at_nodes(&factors)) {
+                    *slot += value * factor;
+                }
             }
         }
         matrix
     }
+}
+
+/// The values of an entry at one node after the other: a single one holds at all.
+fn at_nodes(values: &[f64]) -> impl Iterator<Item = f64> {
+    let repeated = if let [all] = values { Some(*all) } else { None };
+    values.iter().copied().filter(move |_| repeated.is_none()).chain(repeated.into_iter().cycle())
+}
+
+/// Subtracts from the rows `first..` of `target` those of `image`, each times the value at its node. Returns the largest
+/// number that is subtracted.
+pub fn subtract_scaled(target: &mut DMatrix<f64>, first: usize, image: &DMatrix<f64>, values: &[f64]) -> f64 {
+    let mut largest: f64 = 0.0;
+    let mut rows = target.rows_mut(first, image.nrows());
+    for (mut target, image) in rows.column_iter_mut().zip(image.column_iter()) {
+        for ((slot, value), factor) in target.iter_mut().zip(&image).zip(at_nodes(values)) {
+            let term = value * factor;
+            largest = largest.max(term.abs());
+            *slot -= term;
+        }
+    }
+    largest
 }
 
 impl Factorised {

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use nalgebra::DMatrix;
 
 use super::amplification::RESONANT;
-use super::block::{BlockSystem, Factorised};
+use super::block::{BlockSystem, Factorised, subtract_scaled};
 use super::discretisation::Discretisation;
 use super::system::Place;
 use super::{Amplified, ExactSolver, Progress};
@@ -108,10 +108,10 @@ impl ExactSolver {
         let (block, right, largest) = self.block_of(members, component, &discretisation, nodes, progress);
         let cardinal = discretisation.tables.cardinal;
         let trial = cardinal..cardinal + terms;
-        let image = block.matrix(&discretisation.tables, trial.clone()) * weights;
+        let mut residual = right.columns(columns.start, columns.len()).into_owned();
         // Single terms, not their sum: near resonance large terms cancel.
-        let scale = largest.max(block.largest_term(&discretisation.tables, trial, weights));
-        let residual = (right.columns(columns.start, columns.len()) - image).amax();
+        let scale = largest.max(block.subtract_image(&discretisation.tables, trial, weights, &mut residual));
+        let residual = residual.amax();
         Ok(match residual / scale {
             _ if scale == 0.0 => 0.0,
             ratio if ratio.is_nan() => f64::INFINITY,
@@ -154,17 +154,8 @@ impl ExactSolver {
                 None => progress.solved.get(unknown).cloned().flatten(),
             };
             if let (Some(known), Some(table)) = (known, tables.values.get(order)) {
-                let image = table.columns(0, known.nrows()) * known;
-                for node in 0..terms {
-                    let factor = match values.as_slice() {
-                        [all] => *all,
-                        _ => values.get(node).copied().unwrap_or(f64::NAN),
-                    };
-                    let term = image.row(node) * factor;
-                    largest = largest.max(term.amax());
-                    let mut target = right.row_mut(row * terms + node);
-                    target -= term;
-                }
+                let image = table.rows(0, terms).columns(0, known.nrows()) * known;
+                largest = largest.max(subtract_scaled(&mut right, row * terms, &image, values));
             }
             if let Some(column) = own {
                 entries.push((order, row, column, values.clone()));

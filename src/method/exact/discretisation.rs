@@ -9,6 +9,7 @@ use super::system::evaluate;
 use super::{ExactSolver, MANY_NODES, Progress};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::features::Features;
+use crate::kernels::Rows;
 use crate::numeric::{NodeKind, nodes};
 use crate::trial::{CorrectedTrial, IntegratedLegendre, Modes};
 
@@ -59,12 +60,10 @@ impl ExactSolver {
         if count == MANY_NODES {
             u = Features::refined(&progress.features, &u, progress.range);
         }
-        let mut values = vec![DMatrix::zeros(u.len(), modes.count()); self.order + 1];
-        for (node, &u) in u.iter().enumerate() {
-            for (table, derivatives) in values.iter_mut().zip(modes.derivatives_up_to(self.order, u)) {
-                table.row_mut(node).iter_mut().zip(derivatives).for_each(|(slot, value)| *slot = value);
-            }
-        }
+        let (orders, mut tables): (Vec<usize>, _) = ((0..=self.order).collect(), Vec::new());
+        modes.tabulate(&orders, &u, &mut tables);
+        let matrix = |rows: &Rows| DMatrix::from_iterator(u.len(), modes.count(), rows.iter().flatten().copied());
+        let values = tables.iter().map(matrix).collect();
         let tables = Tables { values, cardinal: self.orders.len() };
         let entries = self.entries_at(progress.params, &u)?;
         let forces = if self.has_force { evaluate(&*self.force_values, progress.params, &u)? } else { Vec::new() };
