@@ -84,8 +84,19 @@ fn frames() -> Result<(), Diagnostics> {
     Ok(())
 }
 
-/// Solutions at ever new instants, 121 points for each basis function.
+/// Solutions at ever new instants, 121 points for each basis function: of the equation as it stands, in which some of the
+/// functions meet their first derivative in t, and without that term, where one factorisation holds at all instants.
 fn least_squares() -> Result<(), Diagnostics> {
+    let [_, (name, text)] = SPECS;
+    let shared = text.replace("η = 1", "η = 0");
+    for (about, text) in [("η = 1", text), ("η = 0", shared.as_str())] {
+        println!("{name} with {about}:");
+        least_squares_of(name, text)?;
+    }
+    Ok(())
+}
+
+fn least_squares_of(name: &str, text: &str) -> Result<(), Diagnostics> {
     const SOLUTIONS: usize = 1000;
     for method in ["sine", "polynomial"] {
         for terms in [5, 10] {
@@ -93,7 +104,6 @@ fn least_squares() -> Result<(), Diagnostics> {
             let highest = if method == "sine" { terms } else { terms + 3 };
             let count = highest.to_string();
             let settings = [("terms", count.as_str()), ("points", "11x11")];
-            let [_, (name, text)] = SPECS;
             let blend = compiled(name, text, method, &settings)?;
             let Some(patch) = blend.patches.first() else { continue };
             let functions = patch.decomposition.basis.len();

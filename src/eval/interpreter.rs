@@ -4,9 +4,9 @@
 //! op is shared by [`BLOCK`] samples and the loops run on whole vectors, with the functions of
 //! [`kernels`](crate::kernels).
 //!
-//! Outputs are computed where they belong; coordinates and uniform values are read where they are. Every value is
-//! [`canonical`], whether it is an output or not, and functions with a kernel never see what they would treat
-//! differently. The plain definition of an evaluator: the machine code is tested against it.
+//! Outputs are computed where they belong; coordinates and uniform values are read where they are. Every output is
+//! [`canonical`]; what is read again may be any NaN, which no operation tells from another. The plain definition of an
+//! evaluator: the machine code is tested against it.
 
 use std::sync::Arc;
 
@@ -98,7 +98,7 @@ impl Interpreter {
             now.iter_mut().zip(&mut outputs).for_each(|(row, output)| *row = output.next().unwrap_or_default());
             registers.iter_mut().for_each(|register| shorten(register, u.len()));
             let splines = self.program.splines();
-            run(set, self.schedule.steps(), (uniform, splines), Samples { u, v, t }, &mut rows);
+            run(set, self.schedule.steps(), (uniform, splines, count), Samples { u, v, t }, &mut rows);
         }
     }
 }
@@ -141,11 +141,11 @@ multiversion! {
     /// Runs every step on one block.
     fn run(
         steps: &[Step],
-        numbers: (&[f64], &[SplineCall]),
+        numbers: (&[f64], &[SplineCall], usize),
         samples: Samples<'_>,
         rows: &mut [&mut [f64]],
     ) {
-        let (uniform, splines) = numbers;
+        let (uniform, splines, outputs) = numbers;
         for step in steps {
             match *step {
                 Step::Compute { target, op } => {
@@ -156,7 +156,11 @@ multiversion! {
                 Step::Accumulate { target, sum, factors, is_subtracted } => {
                     let row = taken(rows, target);
                     let [sum, a, b] = [sum, factors[0], factors[1]].map(|operand| block(operand, uniform, samples, rows));
-                    accumulate(row, sum, [a, b], is_subtracted);
+                    if target < outputs {
+                        accumulate(row, sum, [a, b], is_subtracted, canonical);
+                    } else {
+                        accumulate(row, sum, [a, b], is_subtracted, |value| value);
+                    }
                     give_back(rows, target, row);
                 }
                 Step::Pair { pairing, targets: [first, second], argument } => {
@@ -287,23 +291,36 @@ fn pair(pairing: Pairing, first: &mut [f64], second: &mut [f64], a: Block<'_>) {
     }
 }
 
-/// `sum ± a * b`, rounded after the product and after the sum.
+/// `sum ± a * b`, rounded after the product and after the sum, and then `stored`.
 #[inline(always)]
-fn accumulate(target: &mut [f64], sum: Block<'_>, factors: [Block<'_>; 2], is_subtracted: bool) {
+fn accumulate(
+    target: &mut [f64],
+    sum: Block<'_>,
+    factors: [Block<'_>; 2],
+    is_subtracted: bool,
+    stored: impl Fn(f64) -> f64,
+) {
     // Taking the sign into a factor changes no rounding.
     let signed = |a: f64| if is_subtracted { -a } else { a };
+    let targets = target.iter_mut();
     match (sum, factors) {
         (Block::Each(sum), [Block::Same(a), Block::Each(b)] | [Block::Each(b), Block::Same(a)]) => {
             let a = signed(a);
-            binary(target, Block::Each(sum), Block::Each(b), |sum, b| sum + a * b);
+            targets.zip(sum.iter().zip(b)).for_each(|(target, (&sum, &b))| *target = stored(sum + a * b));
         }
         (Block::Each(sum), [Block::Each(a), Block::Each(b)]) => {
-            let lanes = target.iter_mut().zip(sum.iter().zip(a.iter().zip(b)));
-            lanes.for_each(|(target, (&sum, (&a, &b)))| *target = canonical(sum + signed(a) * b));
+            let lanes = targets.zip(sum.iter().zip(a.iter().zip(b)));
+            lanes.for_each(|(target, (&sum, (&a, &b)))| *target = stored(sum + signed(a) * b));
         }
-        (Block::Same(sum), [a, b]) => binary(target, a, b, |a, b| sum + signed(a) * b),
+        (Block::Same(sum), [Block::Same(a), Block::Each(b)] | [Block::Each(b), Block::Same(a)]) => {
+            let a = signed(a);
+            targets.zip(b).for_each(|(target, &b)| *target = stored(sum + a * b));
+        }
+        (Block::Same(sum), [Block::Each(a), Block::Each(b)]) => {
+            targets.zip(a.iter().zip(b)).for_each(|(target, (&a, &b))| *target = stored(sum + signed(a) * b));
+        }
         // A product of uniform values is uniform and never absorbed.
-        (Block::Each(_), [Block::Same(_), Block::Same(_)]) => target.fill(f64::NAN),
+        (_, [Block::Same(_), Block::Same(_)]) => target.fill(f64::NAN),
     }
 }
 

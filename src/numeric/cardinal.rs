@@ -112,12 +112,17 @@ multiversion! {
     /// `factor` times the polynomial with the coefficients `series`, those of the highest powers first.
     fn horner(target: &mut [f64], y: &[f64], polynomial: (f64, &[f64])) {
         let (factor, series) = polynomial;
-        for (target, y) in target.chunks_mut(LANES).zip(y.chunks(LANES)) {
+        let (whole, rest) = target.as_chunks_mut::<LANES>();
+        let (ys, last) = y.as_chunks::<LANES>();
+        for (target, y) in whole.iter_mut().zip(ys) {
             let mut sums = [0.0; LANES];
             for coefficient in series {
                 sums.iter_mut().zip(y).for_each(|(sum, y)| *sum = *sum * y + coefficient);
             }
             target.iter_mut().zip(&sums).for_each(|(slot, sum)| *slot = factor * sum);
+        }
+        for (slot, y) in rest.iter_mut().zip(last) {
+            *slot = factor * series.iter().fold(0.0, |sum, coefficient| sum * y + coefficient);
         }
     }
 }

@@ -176,13 +176,20 @@ const LANES: usize = 32;
 multiversion! {
     /// Subtracts from a function what the boundary sees of it: its values there times the cardinal functions.
     fn correct(row: &mut [f64], cardinal: &[&mut [f64]], at_boundary: &[f64]) {
-        for (number, values) in row.chunks_mut(LANES).enumerate() {
+        let (whole, rest) = row.as_chunks_mut::<LANES>();
+        let begin = whole.len() * LANES;
+        for (number, values) in whole.iter_mut().enumerate() {
             let mut corrections = [0.0; LANES];
             for (factor, cardinal) in at_boundary.iter().zip(cardinal) {
-                let cardinal = cardinal.get(number * LANES..).unwrap_or_default();
+                let Some(cardinal) = cardinal.as_chunks::<LANES>().0.get(number) else { continue };
                 corrections.iter_mut().zip(cardinal).for_each(|(sum, cardinal)| *sum += factor * cardinal);
             }
             values.iter_mut().zip(&corrections).for_each(|(value, correction)| *value -= correction);
+        }
+        for (index, value) in rest.iter_mut().enumerate() {
+            let at = |cardinal: &&mut [f64]| cardinal.get(begin + index).copied().unwrap_or(0.0);
+            let products = at_boundary.iter().zip(cardinal).map(|(factor, cardinal)| factor * at(cardinal));
+            *value -= products.sum::<f64>();
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Sums of products at scattered points, and the sums that make the tables of grids.
 
-use crate::kernels::multiversion;
+use crate::kernels::{InstructionSet, multiversion};
 
 /// The coefficients that are not zero: for each row of an outer sum and each of x, y and z, rows of the inner sum.
 #[derive(Debug, Clone, Default)]
@@ -63,9 +63,6 @@ impl Combination {
 /// Points of which a sum is held in registers: as many vectors of eight as multiplications are under way at once.
 const LANES: usize = 64;
 
-/// Outer sums that share one inner sum.
-const TOGETHER: usize = 3;
-
 multiversion! {
     /// Writes `Σ c inner_j` to `sum`, as far as it reaches, for the entries `(j, c)` of one row and component.
     pub fn combine(entries: &[(usize, f64)], inner: &[&[f64]], sum: &mut [f64]) {
@@ -79,38 +76,90 @@ multiversion! {
     }
 }
 
+/// Writes `Σ_m outer_m Σ_j c_mj inner_j` to x, y and z for each of several `outers`. All rows are as long as these.
+pub fn contract(
+    set: InstructionSet,
+    combination: &Combination,
+    inner: &[&[f64]],
+    outers: &[Vec<&[f64]>],
+    targets: &mut [[&mut [f64]; 3]],
+) {
+    let length = targets.iter().flatten().map(|target| target.len()).min().unwrap_or(0);
+    if length >= LANES {
+        return contract_whole(set, combination, (inner, outers), targets, length);
+    }
+    // Few points are treated as if they were enough.
+    let inner: Vec<[f64; LANES]> = inner.iter().map(|row| padded(row)).collect();
+    let outers: Vec<Vec<[f64; LANES]>> =
+        outers.iter().map(|rows| rows.iter().map(|row| padded(row)).collect()).collect();
+    let inner: Vec<&[f64]> = inner.iter().map(<[f64; LANES]>::as_slice).collect();
+    let outers: Vec<Vec<&[f64]>> =
+        outers.iter().map(|rows| rows.iter().map(<[f64; LANES]>::as_slice).collect()).collect();
+    let mut sums = vec![[[0.0; LANES]; 3]; targets.len()];
+    let mut all: Vec<[&mut [f64]; 3]> = sums.iter_mut().map(|sums| sums.each_mut().map(|sum| &mut sum[..])).collect();
+    contract_whole(set, combination, (&inner, &outers), &mut all, LANES);
+    for (target, sum) in targets.iter_mut().flatten().zip(sums.iter().flatten()) {
+        target.iter_mut().zip(sum).for_each(|(slot, value)| *slot = *value);
+    }
+}
+
 multiversion! {
-    /// Writes `Σ_m outer_m Σ_j c_mj inner_j` to x, y and z for each of several `outers`. All rows are as long as these.
-    pub fn contract(
+    /// The same for rows of `length` numbers, at least [`LANES`].
+    fn contract_whole(
         combination: &Combination,
-        inner: &[&[f64]],
-        outers: &[Vec<&[f64]>],
+        factors: (&[&[f64]], &[Vec<&[f64]>]),
         targets: &mut [[&mut [f64]; 3]],
+        length: usize,
     ) {
-        let length = targets.iter().flatten().map(|target| target.len()).min().unwrap_or(0);
-        let is_short = length < LANES;
-        let copies = |rows: &[&[f64]]| rows.iter().filter(|_| is_short).map(|row| padded(row)).collect::<Vec<_>>();
-        let short = copies(inner);
-        let short_outers: Vec<Vec<[f64; LANES]>> = outers.iter().map(|rows| copies(rows)).collect();
-        let mut windows: Vec<&[f64; LANES]> = short.iter().collect();
-        let mut outer_windows: Vec<Vec<&[f64; LANES]>> = short_outers.iter().map(|rows| rows.iter().collect()).collect();
+        let (inner, outers) = factors;
+        let mut windows = Vec::with_capacity(inner.len());
+        let mut outer_windows = vec![Vec::new(); outers.len()];
         for begin in (0..length).step_by(LANES) {
             // The last points are treated with some before them, once more.
-            let begin = begin.min(length.saturating_sub(LANES));
-            if !is_short {
-                look(inner, begin, &mut windows);
-                outers.iter().zip(&mut outer_windows).for_each(|(outer, windows)| look(outer, begin, windows));
-            }
-            for (outers, targets) in outer_windows.chunks(TOGETHER).zip(targets.chunks_mut(TOGETHER)) {
-                let totals = totals(combination, &windows, outers);
-                for (targets, total) in targets.iter_mut().zip(&totals) {
-                    for (target, total) in targets.iter_mut().zip(total) {
-                        target.iter_mut().skip(begin).zip(total).for_each(|(slot, value)| *slot = *value);
+            let begin = begin.min(length - LANES);
+            look(inner, begin, &mut windows);
+            outers.iter().zip(&mut outer_windows).for_each(|(outer, windows)| look(outer, begin, windows));
+            targets.iter_mut().flatten().filter_map(|target| window(target, begin)).for_each(|sums| *sums = [0.0; LANES]);
+            for row in 0..combination.rows() {
+                for component in 0..3 {
+                    let entries = combination.entries(row, component);
+                    if entries.is_empty() {
+                        continue;
+                    }
+                    let sum = weighted(entries, &windows);
+                    for (outer, target) in outer_windows.iter().zip(&mut *targets) {
+                        let target = target.get_mut(component).and_then(|target| window(target, begin));
+                        let (Some(factors), Some(target)) = (outer.get(row), target) else { continue };
+                        // Copied, so that the compiler sees that nothing overlaps.
+                        let (factors, mut next): ([f64; LANES], [f64; LANES]) = (**factors, *target);
+                        for ((next, sum), factor) in next.iter_mut().zip(&sum).zip(&factors) {
+                            *next = factor.mul_add(*sum, *next);
+                        }
+                        *target = next;
                     }
                 }
             }
         }
     }
+}
+
+/// `Σ c inner_j` at some points, for the entries `(j, c)`.
+#[inline(always)]
+fn weighted(entries: &[(usize, f64)], inner: &[&[f64; LANES]]) -> [f64; LANES] {
+    let mut sum = [0.0; LANES];
+    for (j, factor) in entries {
+        let Some(values) = inner.get(*j) else { continue };
+        for (sum, value) in sum.iter_mut().zip(*values) {
+            *sum = factor.mul_add(*value, *sum);
+        }
+    }
+    sum
+}
+
+/// Some numbers of a row, to be written.
+#[inline(always)]
+fn window<'a>(row: &'a mut &mut [f64], begin: usize) -> Option<&'a mut [f64; LANES]> {
+    row.get_mut(begin..).and_then(|rest| rest.first_chunk_mut())
 }
 
 /// The numbers of every row from `begin` on.
@@ -122,54 +171,33 @@ fn look<'a>(rows: &[&'a [f64]], begin: usize, windows: &mut Vec<&'a [f64; LANES]
 }
 
 /// The numbers of a row, and zeros after its end.
-#[inline(always)]
 fn padded(row: &[f64]) -> [f64; LANES] {
     let mut some = [0.0; LANES];
     some.iter_mut().zip(row).for_each(|(slot, value)| *slot = *value);
     some
 }
 
-/// The sums at some points, for each outer sum and component.
-#[inline(always)]
-fn totals(
-    combination: &Combination,
-    inner: &[&[f64; LANES]],
-    outers: &[Vec<&[f64; LANES]>],
-) -> [[[f64; LANES]; 3]; TOGETHER] {
-    let mut totals = [[[0.0; LANES]; 3]; TOGETHER];
-    for row in 0..combination.rows() {
-        for component in 0..3 {
-            let entries = combination.entries(row, component);
-            if entries.is_empty() {
-                continue;
-            }
-            let mut sum = [0.0; LANES];
-            for (j, factor) in entries {
-                let Some(values) = inner.get(*j) else { continue };
-                for (sum, value) in sum.iter_mut().zip(*values) {
-                    *sum = factor.mul_add(*value, *sum);
-                }
-            }
-            for (outer, total) in outers.iter().zip(&mut totals) {
-                let (Some(factors), Some(total)) = (outer.get(row), total.get_mut(component)) else { continue };
-                // Copied, so that the compiler sees that nothing overlaps.
-                let (factors, mut next): ([f64; LANES], [f64; LANES]) = (**factors, *total);
-                for ((next, sum), factor) in next.iter_mut().zip(&sum).zip(&factors) {
-                    *next = factor.mul_add(*sum, *next);
-                }
-                *total = next;
-            }
-        }
-    }
-    totals
-}
-
 multiversion! {
     /// Writes rows of x, y and z as points, as far as all reach.
     pub fn assemble(points: &mut [[f64; 3]], rows: [&[f64]; 3]) {
+        const TOGETHER: usize = 8;
         let [x, y, z] = rows;
-        for (point, ((x, y), z)) in points.iter_mut().zip(x.iter().zip(y).zip(z)) {
-            *point = [*x, *y, *z];
+        let (whole, rest) = points.as_chunks_mut::<TOGETHER>();
+        let begin = whole.len() * TOGETHER;
+        let [xs, ys, zs] = rows.map(|row| row.as_chunks::<TOGETHER>().0);
+        for (points, ((x, y), z)) in whole.iter_mut().zip(xs.iter().zip(ys).zip(zs)) {
+            // Of a known number, so that the compiler shuffles whole vectors.
+            let mut some = [[0.0; 3]; TOGETHER];
+            for (point, ((x, y), z)) in some.iter_mut().zip(x.iter().zip(y).zip(z)) {
+                *point = [*x, *y, *z];
+            }
+            *points = some;
+        }
+        let after = |row: &[f64], index: usize| row.get(begin + index).copied();
+        for (index, point) in rest.iter_mut().enumerate() {
+            if let (Some(x), Some(y), Some(z)) = (after(x, index), after(y, index), after(z, index)) {
+                *point = [x, y, z];
+            }
         }
     }
 }

@@ -3,7 +3,6 @@
 use std::hint::black_box;
 
 use trimline::diagnostic::Diagnostic;
-use trimline::eval::{Backend, Samples, compile};
 use trimline::expr::Derivative;
 
 use crate::failure::Failure;
@@ -14,7 +13,7 @@ use super::{Row, Subject};
 
 /// Points of the basis in one repetition, in blocks that stay in the caches.
 const BASIS_POINTS: usize = 64 * BLOCK;
-const BLOCK: usize = 256;
+const BLOCK: usize = 1024;
 /// Points anywhere in one repetition.
 const SCATTERED: usize = 1 << 14;
 
@@ -32,18 +31,17 @@ fn basis(subject: &Subject<'_>, clock: &Clock) -> Result<Vec<Row>, Diagnostic> {
     let Some(surface) = subject.solved.solution.surface.as_separable() else {
         return Ok(vec![Row::none("basis_ns_per_point", about, "ns")]);
     };
-    let (evaluator, _) = compile(surface.basis.program(&subject.derivatives())?, Backend::Interpreter);
+    let derivatives = subject.derivatives();
+    let mut jet = surface.basis.jet(&derivatives)?;
     let (v, t): (Vec<f64>, Vec<f64>) = subject.scattered(BASIS_POINTS).iter().map(|[_, v, t]| (*v, *t)).unzip();
-    let mut values = vec![0.0; evaluator.program().outputs() * BLOCK];
     let seconds = clock.fastest(|| {
-        let blocks = v.chunks(BLOCK).zip(t.chunks(BLOCK));
-        let mut result = Ok(());
-        for (v, t) in blocks {
-            result = result.and(evaluator.evaluate(&surface.params, Samples { u: v, v, t }, black_box(&mut values)));
-        }
-        result
-    });
-    Ok(vec![Row::new("basis_ns_per_point", about, "ns", 1e9 * seconds.unwrap_or(f64::NAN) / BASIS_POINTS as f64)])
+        let mut blocks = v.chunks(BLOCK).zip(t.chunks(BLOCK));
+        let evaluated =
+            blocks.try_for_each(|block| surface.basis.evaluate((&derivatives, &mut jet), &surface.params, block));
+        black_box(jet.row(0));
+        evaluated
+    })?;
+    Ok(vec![Row::new("basis_ns_per_point", about, "ns", 1e9 * seconds / BASIS_POINTS as f64)])
 }
 
 /// Positions on a grid.
