@@ -14,10 +14,11 @@ use super::{EvalError, Evaluator, Samples};
 use crate::kernels::Rows;
 
 /// From so many samples on the interpreter is faster than machine code (docs/performance.md).
-const MANY: usize = 8;
+const MANY: usize = 10;
 
-/// Short calls before machine code is made: together they take about as long as compiling (docs/performance.md).
-const CALLS: usize = 256;
+/// Short calls before machine code is made: by then interpreting them has cost about what compiling costs
+/// (docs/performance.md).
+const CALLS: usize = 1000;
 
 /// The interpreter, and machine code for short calls once it has paid.
 pub(super) struct Adaptive {

@@ -178,7 +178,7 @@ fn calls_short_and_long_give_the_same_bits_before_and_after_machine_code_is_made
     let reference = interpreter(program.clone());
     let params = [0.5, 2.0];
     // More short calls than it takes until they are compiled, long ones between them.
-    for call in 0..600 {
+    for call in 0..1200 {
         let count = if call % 50 == 0 { 300 } else { 1 + call % 7 };
         let (u, v, t) = sample_coordinates(count);
         let samples = Samples { u: &u, v: &v, t: &t };
