@@ -17,7 +17,7 @@ use crate::resolve::{resolve, set_parameter};
 use crate::surface::{Bump, DeformedSurface};
 use crate::syntax;
 use crate::threads;
-use crate::verify::{Programs, Verification, check_deformations, find_fold, refuse_poles, verify_with};
+use crate::verify::{Programs, Verification, check_deformations, find_fold, find_opening, refuse_poles, verify_with};
 
 /// A compiled document with its current parameter values.
 pub struct Blend {
@@ -355,6 +355,14 @@ impl Prepared {
         if self.choice.is_automatic && is_two_sided && residual > LARGE_RESIDUAL {
             plain.report.warnings.push(self.large_residual(&plain, residual, t));
         }
+        let is_known = plain.report.warnings.iter().any(|warning| warning.code == Code::SeamOpens);
+        let orders: Vec<usize> = self.patch().conditions.iter().map(|condition| condition.order).collect();
+        if is_two_sided
+            && !is_known
+            && let Some(gap) = find_opening(&*plain.surface, &self.domain, &orders, t)?
+        {
+            plain.report.warnings.push(self.opened(gap, t));
+        }
         if !is_two_sided && let Some(place) = find_fold(&*plain.surface, &self.domain, t)? {
             plain.report.warnings.push(self.folded(place, t));
         }
@@ -412,6 +420,17 @@ impl Prepared {
         let is_given_by_data = self.patch().operator.is_homogeneous(&problem.graph);
         let scale = if is_given_by_data { measured.data_size } else { measured.data_size.max(measured.size) };
         if scale > 0.0 { scale } else { 1.0 }
+    }
+
+    fn opened(&self, gap: f64, t: f64) -> Diagnostic {
+        let [from, to] = self.domain.v.map(Shortest);
+        let message = format!(
+            "the trimlines close, the surface between them does not: v = {from} and v = {to} lie up to {gap:.1e} apart at t = {}",
+            Shortest(t)
+        );
+        Diagnostic::new(Code::SeamOpens, message)
+            .at(self.patch().operator.origin.or(self.patch().boundary_origin()))
+            .hint("what is not periodic in v tears it: a force, coefficients, or data that close only as the sum of functions that do not; state these periodic, or end the range of v earlier to leave it open")
     }
 
     fn large_residual(&self, solution: &Solution, residual: f64, t: f64) -> Diagnostic {

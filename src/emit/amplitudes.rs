@@ -7,8 +7,8 @@ use crate::problem::DomainValues;
 use crate::surface::{SeparableSurface, Surface};
 
 /// What is cut off the series, relative to the surface: first as much as rounding hides anyway, then what solutions
-/// with large coefficients that cancel leave.
-const TOLERANCES: [f64; 2] = [8e-15, 1e-13];
+/// with large coefficients that cancel leave, and those of hundreds of modes.
+const TOLERANCES: [f64; 3] = [8e-15, 1e-13, 2e-12];
 
 /// Where the formula is compared with the surface: counts without common factors with the series' nodes.
 const GRID: [usize; 2] = [37, 29];
@@ -58,11 +58,17 @@ pub(super) fn amplitudes(
 ) -> Result<ChebyshevSeries, Diagnostic> {
     // In units of the surface, so that all are cut at the same error.
     let weights: Vec<f64> = sizes.iter().flat_map(|size| [*size; 3]).collect();
+    let values = |order: usize, u: f64| -> Vec<f64> {
+        let values = surface.amplitudes(order, u);
+        values.iter().flatten().zip(&weights).map(|(value, weight)| value * weight).collect()
+    };
+    // Of a surface that does not change in u, derivatives are rounding errors, which no series has to follow.
+    let [low, high] = range;
+    let size =
+        [low, 0.5 * (low + high), high].into_iter().flat_map(|u| values(0, u)).fold(0.0, |a: f64, b| a.max(b.abs()));
+    let least = size / (high - low).powi(i32::try_from(order).unwrap_or(i32::MAX));
     for tolerance in TOLERANCES {
-        let series = ChebyshevSeries::fit(range, weights.len(), tolerance, |u| {
-            let values = surface.amplitudes(order, u);
-            values.iter().flatten().zip(&weights).map(|(value, weight)| value * weight).collect()
-        });
+        let series = ChebyshevSeries::fit(range, weights.len(), (tolerance, least), |u| values(order, u));
         if let Some(mut series) = series {
             let unscale = |row: &mut Vec<f64>| row.iter_mut().zip(&weights).for_each(|(c, weight)| *c /= weight);
             series.coefficients.iter_mut().for_each(unscale);
@@ -81,11 +87,14 @@ pub(super) fn deviation(
     let (u, v) = (evenly(domain.u, GRID[0]), evenly(domain.v, GRID[1]));
     let t = surface.instant.unwrap_or(domain.t[0]);
     let basis = surface.basis.values(Derivative::NONE, &surface.params, &v, &vec![t; v.len()])?;
-    let mut worst = 0.0_f64;
+    let (mut worst, mut of_surface) = (0.0_f64, 0.0_f64);
     for (order, series) in series.iter().enumerate() {
         let mut expected = vec![[0.0; 3]; u.len() * v.len()];
         surface.evaluate_grid(Derivative::new(order, 0, 0), (&u, &v, t), &mut expected)?;
-        let size = expected.iter().flatten().fold(0.0_f64, |most, value| most.max(value.abs()));
+        let largest = expected.iter().flatten().fold(0.0_f64, |most, value| most.max(value.abs()));
+        // As in `amplitudes`: a derivative that is far smaller than the surface is compared with that.
+        let size = if order == 0 { largest } else { largest.max(of_surface / (domain.u[1] - domain.u[0])) };
+        of_surface = of_surface.max(largest);
         let mut difference = 0.0_f64;
         for (u, row) in u.iter().zip(expected.chunks(v.len())) {
             let amplitudes = series.values(*u);

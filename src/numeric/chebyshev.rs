@@ -20,12 +20,13 @@ const NODES: [usize; 2] = [8, 2048];
 impl ChebyshevSeries {
     /// The series of `function`, which gives `width` values at any point of `range`.
     ///
-    /// The coefficients left out, or set to zero, are at most `tolerance` times the largest of any function. `None` if that takes more
+    /// The coefficients left out, or set to zero, are at most `tolerance` times the largest of any function,
+    /// or times `least` if that is larger. `None` if that takes more
     /// than 2048 nodes, or a value is not finite.
     pub fn fit(
         range: [f64; 2],
         width: usize,
-        tolerance: f64,
+        (tolerance, least): (f64, f64),
         function: impl Fn(f64) -> Vec<f64>,
     ) -> Option<ChebyshevSeries> {
         let [low, high] = range;
@@ -38,7 +39,7 @@ impl ChebyshevSeries {
             }
             let mut coefficients = interpolation(&samples, width);
             let sizes: Vec<f64> = coefficients.iter().map(|row| largest(row)).collect();
-            let bound = tolerance * largest(&sizes);
+            let bound = tolerance * largest(&sizes).max(least);
             if !bound.is_finite() {
                 return None;
             }
@@ -101,7 +102,7 @@ mod tests {
 
     fn fit(range: [f64; 2], function: impl Fn(f64) -> Vec<f64>) -> Option<ChebyshevSeries> {
         let width = function(range[0]).len();
-        ChebyshevSeries::fit(range, width, 4e-15, function)
+        ChebyshevSeries::fit(range, width, (4e-15, 0.0), function)
     }
 
     #[test]

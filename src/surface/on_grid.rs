@@ -60,6 +60,8 @@ struct Last {
     modes: Arc<dyn Modes>,
     basis: Arc<Basis>,
     coefficients: Arc<Vec<Coefficients>>,
+    /// Whether further derivatives of the coefficients are unknown, and not zero.
+    is_of_one_instant: bool,
 }
 
 /// One derivative in u and t of the factors along u, which do not depend on t.
@@ -210,6 +212,7 @@ impl<'a> SurfaceOnGrid<'a> {
             Arc::ptr_eq(&last.modes, &surface.modes)
                 && Arc::ptr_eq(&last.basis, &surface.basis)
                 && Arc::ptr_eq(&last.coefficients, &surface.coefficients)
+                && last.is_of_one_instant == surface.instant.is_some()
         };
         if self.last.as_ref().is_some_and(is_it) {
             return;
@@ -222,8 +225,9 @@ impl<'a> SurfaceOnGrid<'a> {
         if !self.last.as_ref().is_some_and(|last| Arc::ptr_eq(&last.basis, &surface.basis)) {
             self.along.clear();
         }
-        let SeparableSurface { modes, basis, coefficients, .. } = surface;
-        self.last = Some(Last { modes: modes.clone(), basis: basis.clone(), coefficients: coefficients.clone() });
+        let SeparableSurface { modes, basis, coefficients, instant, .. } = surface;
+        let (modes, basis, coefficients) = (modes.clone(), basis.clone(), coefficients.clone());
+        self.last = Some(Last { modes, basis, coefficients, is_of_one_instant: instant.is_some() });
     }
 
     /// The factors along u of a derivative in u and t of the surface that was turned to.

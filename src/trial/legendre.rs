@@ -199,7 +199,9 @@ impl IntegratedLegendre {
     fn of_order(&self, count: usize, order: usize, values: &[f64], slope: f64) -> Vec<f64> {
         let (factor, series) = self.series(order, slope);
         let sum = |terms: &Vec<(usize, f64)>| -> f64 {
-            terms.iter().map(|(degree, share)| share * values.get(*degree).copied().unwrap_or(0.0)).sum()
+            // From +0, as tables are summed: the sum of an iterator begins at -0.
+            let term = |(degree, share): &(usize, f64)| share * values.get(*degree).copied().unwrap_or(0.0);
+            terms.iter().map(term).fold(0.0, |sum, term| sum + term)
         };
         series.iter().take(count).map(|terms| factor * sum(terms)).collect()
     }

@@ -266,7 +266,8 @@ mod tests {
             for (order, table) in orders.iter().zip(&tables) {
                 for (index, u) in u.iter().enumerate() {
                     let found: Vec<f64> = table.iter().map(|row| row[index]).collect();
-                    assert_eq!(found, modes.derivatives(*order, *u), "{modes:?} {order} {u}");
+                    let bits = |values: &[f64]| values.iter().map(|value| value.to_bits()).collect::<Vec<u64>>();
+                    assert_eq!(bits(&found), bits(&modes.derivatives(*order, *u)), "{modes:?} {order} {u}");
                 }
             }
         }

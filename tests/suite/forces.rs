@@ -124,3 +124,45 @@ fn force_that_is_no_sum_of_products_or_too_narrow_is_left_to_others_with_the_rea
         assert!(solution.report.warnings.iter().any(|note| note.message.contains(reason)), "{reason}");
     }
 }
+
+#[test]
+fn tube_stays_closed_under_a_force_that_does_not_close_or_says_that_it_opens() {
+    let tube = |force: &str| {
+        format!(
+            "pde (d2/du2 + d2/dv2)^2 S = [0, 0, {force}]
+            at u = 0: S = [cos(v), sin(v), 2], dS/du = [0, 0, -2]
+            at u = 1: S = [cos(v), sin(v), 0], dS/du = [0, 0, -2]\n"
+        )
+    };
+    // e^-6.25 and nothing at the ends of v: the force jumps by 0.002 of its size.
+    let (_, solution) = solved(&tube("e^(-100(v - 0.25)^2)"), 0.0);
+    assert_eq!(solution.report.method, "fourier");
+    assert!(codes(&solution).contains(&Code::SeriesTruncated) && !codes(&solution).contains(&Code::SeamOpens));
+    let closed = [[0.5, 0.0], [0.5, std::f64::consts::TAU]].map(|[u, v]| at(&*solution.surface, "", [u, v, 0.0])[2]);
+    assert!((closed[0] - closed[1]).abs() < 1e-15, "{closed:?}");
+    // The exact solution for e^-v is no more periodic than that is.
+    let (_, solution) = solved(&tube("300 e^(-v)"), 0.0);
+    assert_eq!((solution.report.method, codes(&solution)), ("exact", vec![Code::SeamOpens]));
+    let (_, solution) = solved(&tube("300 cos(v)"), 0.0);
+    assert_eq!((solution.report.method, codes(&solution)), ("exact", vec![]));
+}
+
+#[test]
+fn solution_that_the_ends_of_v_make_far_larger_than_its_force_is_warned_of() {
+    let sheet = |end: f64| {
+        format!(
+            "domain v in [0, {end}]
+            pde (d2/du2 + d2/dv2)^2 S = [0, 0, 500 e^(-500(v - 1)^2)]
+            at u = 0: S = [v, 0, 0], dS/du = [0, 1, 0]
+            at u = 1: S = [v, 1, 0], dS/du = [0, 1, 0]\n"
+        )
+    };
+    let (_, steep_at_the_end) = solved(&sheet(1.0), 0.0);
+    assert!(codes(&steep_at_the_end).contains(&Code::EndsDominate));
+    let (_, flat_at_the_ends) = solved(&sheet(2.0), 0.0);
+    assert!(!codes(&flat_at_the_ends).contains(&Code::EndsDominate));
+    // A plate under 500 everywhere bends by 500/384 in its middle.
+    let [large, small] =
+        [&steep_at_the_end, &flat_at_the_ends].map(|solution| at(&*solution.surface, "", [0.5, 1.0, 0.0])[2].abs());
+    assert!(large > 3.0 * 500.0 / 384.0 && small < 500.0 / 384.0, "{large} {small}");
+}

@@ -57,6 +57,17 @@ impl Ends {
         self.coefficients.get(index).map_or(0.0, |powers| powers.iter().rev().fold(0.0, |sum, each| sum * s + each))
     }
 
+    /// Constants of the given size in the place of the polynomials that are not zero.
+    #[must_use]
+    pub fn leveled(&self, size: f64) -> Ends {
+        let level = |powers: &Vec<f64>| {
+            let is_zero = powers.iter().all(|power| *power == 0.0);
+            let first = if is_zero { 0.0 } else { size };
+            std::iter::once(first).chain(powers.iter().skip(1).map(|_| 0.0)).collect()
+        };
+        Ends { coefficients: self.coefficients.iter().map(level).collect(), ..self.clone() }
+    }
+
     /// How many powers there are.
     pub fn powers(&self) -> usize {
         self.coefficients.first().map_or(0, Vec::len)

@@ -3,6 +3,7 @@
 //! Of a force `Σ_j a_j(u) f_j(v, t)` the f_j without a finite closure are expanded as boundary data are, each by itself and to
 //! a share of its own size, so that the a_j do not matter. The truncated force has a finite closure.
 
+use super::ends::Ends;
 use super::series::{Length, Series, SeriesData};
 use crate::decompose::{Decomposition, split_force};
 use crate::diagnostic::{Code, Diagnostic};
@@ -53,12 +54,25 @@ impl Force {
         self.open.iter().any(|function| function.data.varies_in_time)
     }
 
-    /// The series of everything that is to be expanded, at instant `t`.
+    /// The series of everything that is to be expanded, at instant `t`. Where the `boundary` closes in v the surface must, so
+    /// that a force that does not close jumps there.
     ///
     /// # Errors
     /// As [`SeriesData::series`].
-    pub fn series(&self, length: Length, range: [f64; 2], t: f64, params: &[f64]) -> Result<Vec<Series>, Diagnostic> {
-        self.open.iter().map(|function| function.data.series(length, range, t, params)).collect()
+    pub fn series(
+        &self,
+        boundary: &SeriesData,
+        length: Length,
+        range: [f64; 2],
+        t: f64,
+        params: &[f64],
+    ) -> Result<Vec<Series>, Diagnostic> {
+        let closes = self.is_open() && boundary.check_periodic(range, t, params).is_ok();
+        let series = |function: &OpenFunction| match closes {
+            true => function.data.periodic_series(length, range, t, params),
+            false => function.data.series(length, range, t, params),
+        };
+        self.open.iter().map(series).collect()
     }
 
     /// `decomposition`, for which this was compiled, with the force whose series are `series`.
@@ -78,18 +92,42 @@ impl Force {
         truncated.operator.force = terms.map(|terms| graph.sum(terms));
         Decomposition { graph, ..truncated }
     }
+
+    /// `decomposition` without boundary data, and with no force but one polynomial for each function that is expanded.
+    pub fn of_polynomials(&self, decomposition: &Decomposition, ends: &[Option<Ends>]) -> Decomposition {
+        let mut graph = self.graph.clone();
+        let mut terms: [Vec<ExprId>; 3] = Default::default();
+        for (function, ends) in self.open.iter().zip(ends) {
+            let Some(ends) = ends else { continue };
+            let sum = polynomial(&mut graph, ends);
+            for (terms, amplitude) in terms.iter_mut().zip(function.amplitudes) {
+                terms.push(graph.product([amplitude, sum]));
+            }
+        }
+        let mut alone = decomposition.clone();
+        alone.operator.force = terms.map(|terms| graph.sum(terms));
+        let zero = [graph.integer(0); 3];
+        alone.coefficients.iter_mut().flatten().for_each(|coefficient| *coefficient = zero);
+        Decomposition { graph, ..alone }
+    }
+}
+
+/// The first function of `ends` as an expression.
+fn polynomial(graph: &mut Graph, ends: &Ends) -> ExprId {
+    let mut terms = Vec::new();
+    for power in 0..ends.powers() {
+        let factor = graph.number(Number::from_f64(ends.coefficient(0, power)).unwrap_or(Number::integer(0)));
+        let power = ends.power(graph, power);
+        terms.push(graph.product([factor, power]));
+    }
+    graph.sum(terms)
 }
 
 /// The first function of `series` as an expression: its polynomial and its waves.
 fn sum(graph: &mut Graph, series: &Series) -> ExprId {
     let mut terms = Vec::new();
     let number = |graph: &mut Graph, value: f64| graph.number(Number::from_f64(value).unwrap_or(Number::integer(0)));
-    if let Some(ends) = &series.ends {
-        for power in 0..ends.powers() {
-            let (factor, power) = (number(graph, ends.coefficient(0, power)), ends.power(graph, power));
-            terms.push(graph.product([factor, power]));
-        }
-    }
+    terms.extend(series.ends.as_ref().map(|ends| polynomial(graph, ends)));
     let pairs = series.coefficients.first().map_or(&[][..], Vec::as_slice);
     for (n, [even, odd]) in pairs.iter().enumerate() {
         let angle = super::modal::wave(graph, n as f64 * series.wave_number);

@@ -11,6 +11,7 @@
 mod ends;
 mod force;
 mod modal;
+mod reach;
 mod series;
 
 use std::sync::Arc;
@@ -72,7 +73,7 @@ impl Method for Fourier {
         let instants = if is_moving { vec![start, 0.5 * (start + end), end] } else { vec![start] };
         let length = Length::Adaptive(DEFAULT_TOLERANCE, limits.modes);
         for &t in &instants {
-            let series = force.series(length, numbers.domain.v, t, numbers.params)?;
+            let series = force.series(&data, length, numbers.domain.v, t, numbers.params)?;
             series.iter().try_for_each(|series| refuse_divergence(length, series))?;
         }
         if force.is_open() && boundary_closes(decomposition, limits) {
@@ -203,7 +204,7 @@ struct FourierSolver {
 
 impl Solver for FourierSolver {
     fn solve(&self, params: &[f64], [range_u, range_v]: [[f64; 2]; 2], t: f64) -> Result<Solution, Diagnostic> {
-        let forces = self.force.series(self.length, range_v, t, params)?;
+        let forces = self.force.series(&self.data, self.length, range_v, t, params)?;
         forces.iter().try_for_each(|series| refuse_divergence(self.length, series))?;
         if self.force.is_open() && self.boundary_closes {
             return self.solve_for_force(&forces, (params, [range_u, range_v], t));
@@ -238,6 +239,7 @@ impl Solver for FourierSolver {
         let carried = if self.has_remainder { "; the remainder carries it" } else { ", which the surface misses" };
         warnings.extend(self.truncation_warning(&series, carried));
         warnings.extend(self.force_warnings(&forces));
+        warnings.extend(self.reach_warnings(Some(&series), &forces, (params, [range_u, range_v], t))?);
         warnings.extend(self.position_warning(&numerals, &decay, series.wave_number * highest as f64));
         let instant = (self.data.varies_in_time || self.force.varies_in_time()).then_some(t);
         let unknowns = numerals.functionals.len() * (2 * series.modes() + 1);
@@ -277,6 +279,7 @@ impl FourierSolver {
         let surface = solution.separable()?.clone();
         let mut warnings = solution.report.warnings;
         warnings.extend(self.force_warnings(forces));
+        warnings.extend(self.reach_warnings(None, forces, (params, ranges, t))?);
         let report = Report {
             method: Fourier.name(),
             is_exact: false,

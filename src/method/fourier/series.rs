@@ -232,7 +232,32 @@ impl SeriesData {
     /// # Errors
     /// [`Code::DataNotFinite`].
     pub fn series(&self, length: Length, range: [f64; 2], t: f64, params: &[f64]) -> Result<Series, Diagnostic> {
-        let ends = self.ends(range, t, params)?;
+        self.series_less(self.ends(range, t, params)?, length, range, t, params)
+    }
+
+    /// The same without polynomials, for values that jump where the range closes rather than do not close.
+    ///
+    /// # Errors
+    /// [`Code::DataNotFinite`].
+    pub fn periodic_series(
+        &self,
+        length: Length,
+        range: [f64; 2],
+        t: f64,
+        params: &[f64],
+    ) -> Result<Series, Diagnostic> {
+        self.series_less(None, length, range, t, params)
+    }
+
+    /// The series of what the polynomials of `ends` leave.
+    fn series_less(
+        &self,
+        ends: Option<Ends>,
+        length: Length,
+        range: [f64; 2],
+        t: f64,
+        params: &[f64],
+    ) -> Result<Series, Diagnostic> {
         // No number of samples need meet what is narrow; the measurement of what is left out must.
         let narrow = Features::refined(&locate(&self.graph, &self.outputs, params, [range; 2], t).v, &[], range);
         let of_narrow = self.at(&narrow, t, params)?.into_iter().flatten();
