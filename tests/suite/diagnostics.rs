@@ -31,6 +31,7 @@ const ELSEWHERE: &[(Code, &str)] = &[
     (Code::PromiseBroken, "tests of `Blend`, which judges solutions"),
     (Code::MethodPassedOver, "the choice of `auto`, which tests of methods make"),
     (Code::SeamOpens, "tests of the method `static_blend`"),
+    (Code::EndsDominate, "forces: a solution that the ends of v make far larger than its force"),
     (Code::SolutionNotUnique, "tests of the method `static_blend`"),
     (Code::CurvesDoNotMeet, "tests of nets"),
     (Code::SeamCreased, "tests of nets"),
