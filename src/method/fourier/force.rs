@@ -3,10 +3,10 @@
 //! Of a force `Σ_j a_j(u) f_j(v, t)` the f_j without a finite closure are expanded as boundary data are, each by itself and to
 //! a share of its own size, so that the a_j do not matter. The truncated force has a finite closure.
 
-use super::series::{Length, Series, SeriesData};
+use super::series::{Length, Series, SeriesData, constant};
 use crate::decompose::{Decomposition, split_force};
 use crate::diagnostic::{Code, Diagnostic};
-use crate::expr::{ExprId, Function, Graph, Notation, Number};
+use crate::expr::{ExprId, Function, Graph, Notation};
 use crate::limits::Limits;
 
 /// The force of an equation, with what is to be expanded of it compiled.
@@ -62,31 +62,34 @@ impl Force {
     }
 
     /// `decomposition`, for which this was compiled, with the force whose series are `series`.
-    pub fn truncated(&self, decomposition: &Decomposition, series: &[Series]) -> Decomposition {
+    ///
+    /// # Errors
+    /// [`Code::DataNotFinite`] for a coefficient that left the doubles.
+    pub fn truncated(&self, decomposition: &Decomposition, series: &[Series]) -> Result<Decomposition, Diagnostic> {
         if !self.is_open() {
-            return decomposition.clone();
+            return Ok(decomposition.clone());
         }
         let mut graph = self.graph.clone();
         let mut terms: [Vec<ExprId>; 3] = self.closed.map(|closed| vec![closed]);
         for (function, series) in self.open.iter().zip(series) {
-            let sum = sum(&mut graph, series);
+            let sum = sum(&mut graph, series).map_err(|finding| finding.at(decomposition.operator.origin))?;
             for (terms, amplitude) in terms.iter_mut().zip(function.amplitudes) {
                 terms.push(graph.product([amplitude, sum]));
             }
         }
         let mut truncated = decomposition.clone();
         truncated.operator.force = terms.map(|terms| graph.sum(terms));
-        Decomposition { graph, ..truncated }
+        Ok(Decomposition { graph, ..truncated })
     }
 }
 
 /// The first function of `series` as an expression: its polynomial and its waves.
-fn sum(graph: &mut Graph, series: &Series) -> ExprId {
+fn sum(graph: &mut Graph, series: &Series) -> Result<ExprId, Diagnostic> {
     let mut terms = Vec::new();
-    let number = |graph: &mut Graph, value: f64| graph.number(Number::from_f64(value).unwrap_or(Number::integer(0)));
+    let number = |graph: &mut Graph, value: f64| constant(graph, value, &series.subject);
     if let Some(ends) = &series.ends {
         for power in 0..ends.powers() {
-            let (factor, power) = (number(graph, ends.coefficient(0, power)), ends.power(graph, power));
+            let (factor, power) = (number(graph, ends.coefficient(0, power))?, ends.power(graph, power));
             terms.push(graph.product([factor, power]));
         }
     }
@@ -94,9 +97,9 @@ fn sum(graph: &mut Graph, series: &Series) -> ExprId {
     for (n, [even, odd]) in pairs.iter().enumerate() {
         let angle = super::modal::wave(graph, n as f64 * series.wave_number);
         for (function, value) in [(Function::Cos, *even), (Function::Sin, *odd)] {
-            let (factor, wave) = (number(graph, value), graph.call(function, &[angle]));
+            let (factor, wave) = (number(graph, value)?, graph.call(function, &[angle]));
             terms.push(graph.product([factor, wave]));
         }
     }
-    graph.sum(terms)
+    Ok(graph.sum(terms))
 }
