@@ -11,7 +11,7 @@ use indexmap::IndexMap;
 use rustc_hash::FxBuildHasher;
 
 use super::Decomposition;
-use super::expand::{Monomials, expand};
+use super::expand::{Forms, Monomials, expand};
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::{Derivative, ExprId, Function, Graph, Node, Notation, Variable};
 use crate::limits::Limits;
@@ -49,9 +49,11 @@ pub fn close(decomposition: &Decomposition, limits: &Limits) -> Result<Closure, 
     let operator = &decomposition.operator;
     let mut functions: IndexMap<ExprId, Option<Span>, FxBuildHasher> =
         decomposition.basis.iter().map(|function| (function.expr, function.origin)).collect();
+    let mut forms = Forms::default();
     let mut force_terms: Vec<Monomials> = Vec::new();
     for component in operator.force {
-        let monomials = expand(&mut graph, component, limits).map_err(|finding| finding.at(operator.origin))?;
+        let monomials =
+            expand(&mut graph, component, &mut forms, limits).map_err(|finding| finding.at(operator.origin))?;
         functions.extend(monomials.keys().map(|function| (*function, operator.origin)));
         force_terms.push(monomials);
     }
@@ -62,9 +64,12 @@ pub fn close(decomposition: &Decomposition, limits: &Limits) -> Result<Closure, 
     let mut next = 0;
     while let Some((&function, &origin)) = functions.get_index(next) {
         check_closes(&graph, function, variables, origin)?;
+        // Derivatives of `(v - c)^5 (v - d)^5` end in first powers. Parts of these would have coefficients as large as c and
+        // d, whose effects cancel.
+        forms.keep_bases(&graph, function);
         for DerivativeMatrix { orders, rows } in &mut derivatives {
             let derivative = super::bounded_derivative(&mut graph, function, *orders, limits, origin)?;
-            let monomials = expand(&mut graph, derivative, limits).map_err(|finding| finding.at(origin))?;
+            let monomials = expand(&mut graph, derivative, &mut forms, limits).map_err(|finding| finding.at(origin))?;
             let mut row = Vec::with_capacity(monomials.len());
             for (monomial, coefficient) in monomials {
                 let index = functions.get_index_of(&monomial);
@@ -145,7 +150,7 @@ fn factor_closes(graph: &Graph, factor: ExprId) -> bool {
 }
 
 /// Whether an expanded sum is of first degree in v and t together.
-fn is_affine(graph: &Graph, argument: ExprId) -> bool {
+pub(super) fn is_affine(graph: &Graph, argument: ExprId) -> bool {
     let terms = match graph.node(argument) {
         Node::Sum(terms) => terms.to_vec(),
         _ => vec![argument],

@@ -1,30 +1,67 @@
 //! Expansion of an expression in v and t into `Σ coefficient(params) * monomial(v, t)`.
 //!
 //! A loop over the nodes of the expression, operands first. Sums merge, products multiply out, integer powers of
-//! sums multiply out but for those of first degree in v and t, exponents stay together but for what depends on u, arguments
-//! of functions are expanded, such powers too, so that `sin(2(v + 1))` and `sin(2v + 2)` are one function. Whatever cannot
-//! be taken apart is one factor. The number of monomials is bounded at every step.
+//! sums multiply out but for those of first degree in v and t, exponents stay together but for what depends on u. Arguments
+//! of functions are multiplied out only to be compared: `sin((v - 9)^2)` and `sin(v^2 - 18v + 81)` are one function, which
+//! is evaluated as it was written first. Whatever cannot be taken apart is one factor. The number of monomials is bounded
+//! at every step.
 
 use indexmap::IndexMap;
-use rustc_hash::{FxBuildHasher, FxHashMap};
+use rustc_hash::{FxBuildHasher, FxHashMap, FxHashSet};
 
+use super::closure::is_affine;
 use crate::diagnostic::{Code, Diagnostic};
-use crate::expr::{ExprId, Function, Graph, Node};
+use crate::expr::{ExprId, Function, Graph, Node, Number, Variable};
 use crate::limits::Limits;
 
 /// Coefficients by monomial, in order of first appearance.
 pub type Monomials = IndexMap<ExprId, ExprId, FxBuildHasher>;
 
+/// How functions are written that can be written in several ways. What shares one finds equal functions equal.
+#[derive(Debug, Default)]
+pub struct Forms {
+    /// The arguments of functions, by what they are multiplied out.
+    arguments: FxHashMap<ExprId, ExprId>,
+    /// Sums of first degree that stay whole as first powers too.
+    whole: FxHashSet<ExprId>,
+}
+
+impl Forms {
+    /// Lets first powers stay whole of the sums whose powers are factors of `function`.
+    pub fn keep_bases(&mut self, graph: &Graph, function: ExprId) {
+        let factors = match graph.node(function) {
+            Node::Product(factors) => factors.to_vec(),
+            _ => vec![function],
+        };
+        for factor in factors {
+            if let Node::Power(base, _) = graph.node(factor)
+                && matches!(graph.node(*base), Node::Sum(_))
+            {
+                self.whole.insert(*base);
+            }
+        }
+    }
+
+    /// Of the arguments that are `multiplied_out`, the one that was met first, which may be `argument`.
+    fn first(&mut self, graph: &Graph, multiplied_out: ExprId, argument: ExprId) -> ExprId {
+        // Of first degree nothing cancels, and closures want to see it.
+        if is_affine(graph, multiplied_out) {
+            return multiplied_out;
+        }
+        *self.arguments.entry(multiplied_out).or_insert(argument)
+    }
+}
+
 /// Expands `expr`; u counts as a constant. Monomials whose coefficient is zero are left out.
 ///
 /// # Errors
 /// [`Code::LimitReached`] without a place, which the caller knows.
-pub fn expand(graph: &mut Graph, expr: ExprId, limits: &Limits) -> Result<Monomials, Diagnostic> {
+pub fn expand(graph: &mut Graph, expr: ExprId, forms: &mut Forms, limits: &Limits) -> Result<Monomials, Diagnostic> {
     let nodes = graph.reachable(&[expr]);
     let in_functions: Vec<ExprId> = nodes.iter().flat_map(|id| arguments(graph, *id)).collect();
     let in_functions = graph.reachable(&in_functions);
-    let arguments = expand_all(graph, &in_functions, None, limits)?;
-    let mut known = expand_all(graph, &nodes, Some(&arguments), limits)?;
+    let multiplied_out = expand_all(graph, &in_functions, None, limits)?;
+    let mut known = expand_all(graph, &nodes, Some((&multiplied_out, forms)), limits)?;
     let mut result = known.remove(&expr).unwrap_or_default();
     result.retain(|_, coefficient| !graph.is_zero(*coefficient));
     Ok(result)
@@ -33,17 +70,18 @@ pub fn expand(graph: &mut Graph, expr: ExprId, limits: &Limits) -> Result<Monomi
 /// Expansions by node.
 type Known = FxHashMap<ExprId, Monomials>;
 
-/// Expands all `nodes`, given the expansions of the arguments of functions among them; `None` if `nodes` belong to arguments
-/// themselves.
+/// Expands all `nodes`, given how the arguments of functions among them are multiplied out; `None` multiplies everything
+/// out.
 fn expand_all(
     graph: &mut Graph,
     nodes: &[ExprId],
-    arguments: Option<&Known>,
+    mut written: Option<(&Known, &mut Forms)>,
     limits: &Limits,
 ) -> Result<Known, Diagnostic> {
     let mut known = Known::default();
     for &id in nodes {
-        let monomials = expand_node(graph, id, (&known, arguments), limits)?;
+        let written = written.as_mut().map(|(multiplied_out, forms)| (*multiplied_out, &mut **forms));
+        let monomials = expand_node(graph, id, &known, written, limits)?;
         if graph.size() > limits.graph_nodes {
             return Err(limit("the expanded data have more distinct parts", "graph-nodes", limits.graph_nodes));
         }
@@ -63,7 +101,8 @@ fn arguments(graph: &Graph, id: ExprId) -> Vec<ExprId> {
 fn expand_node(
     graph: &mut Graph,
     id: ExprId,
-    (operands, arguments): (&Known, Option<&Known>),
+    operands: &Known,
+    mut written: Option<(&Known, &mut Forms)>,
     limits: &Limits,
 ) -> Result<Monomials, Diagnostic> {
     let one = graph.integer(1);
@@ -71,7 +110,13 @@ fn expand_node(
         return Ok([(one, id)].into_iter().collect());
     }
     let of = |id: &ExprId| operands.get(id).cloned().unwrap_or_default();
-    let argument = |id: &ExprId| arguments.unwrap_or(operands).get(id).cloned().unwrap_or_default();
+    let mut argument = |graph: &mut Graph, id: &ExprId| match &mut written {
+        Some((multiplied_out, forms)) => {
+            let multiplied_out = multiplied_out.get(id).map(|monomials| assemble(graph, monomials));
+            multiplied_out.map_or(*id, |multiplied_out| forms.first(graph, multiplied_out, *id))
+        }
+        None => assemble(graph, &of(id)),
+    };
     match graph.node(id).clone() {
         Node::Sum(terms) => {
             let mut sum = Monomials::default();
@@ -81,7 +126,9 @@ fn expand_node(
                 }
                 bounded(&sum, limits)?;
             }
-            Ok(sum)
+            let Some((_, forms)) = written.filter(|_| is_first_degree(graph, &sum)) else { return Ok(sum) };
+            let (number, base) = primitive(graph, &sum, 1);
+            Ok(if forms.whole.contains(&base) { [(base, graph.number(number))].into_iter().collect() } else { sum })
         }
         Node::Product(factors) => {
             let mut product: Monomials = [(one, one)].into_iter().collect();
@@ -94,11 +141,12 @@ fn expand_node(
             let integer = graph.as_number(exponent).and_then(|number| number.as_integer());
             match (integer, of(&base)) {
                 // Of `(v - 10)^6` for v in [9, 11] the terms are 10^6 times as large as their sum, and leave ten digits of
-                // it. In functions powers are multiplied out, so that equal arguments are found.
-                (Some(2..), sum) if arguments.is_some() && sum.len() > 1 && is_first_degree(graph, &sum) => {
-                    let base = assemble(graph, &sum);
+                // it.
+                (Some(times @ 2..), sum) if written.is_some() && sum.len() > 1 && is_first_degree(graph, &sum) => {
+                    let (number, base) = primitive(graph, &sum, times);
+                    let number = graph.number(number);
                     let power = graph.power(base, exponent);
-                    Ok(factor(graph, power))
+                    Ok([(power, graph.power(number, exponent))].into_iter().collect())
                 }
                 (Some(times), sum) if times > 0 && sum.len() > 1 => power(graph, &sum, times, limits),
                 (Some(_), single) if single.len() == 1 => {
@@ -113,35 +161,54 @@ fn expand_node(
         }
         Node::Call(Function::Exp, of_exp) => {
             let Some(exponent) = of_exp.first() else { return Ok(factor(graph, id)) };
-            let mut exponent = argument(exponent);
             // The exponent stays together: of `e^(-100 (v - 3)²)` the parts e^-900 and e^(600 v) leave the doubles, and
             // their product does not. Only what depends on u cannot stay in a function of v and t.
-            let constant = exponent.get(&one).copied().unwrap_or_else(|| graph.integer(0));
-            let (of_u, others) = split_by_u(graph, constant);
-            exponent.insert(one, others);
-            let exponent = assemble(graph, &exponent);
+            let mut others = of(exponent);
+            let of_u = take_u(graph, &mut others);
+            let exponent = match written {
+                _ if graph.is_zero(of_u) => argument(graph, exponent),
+                Some((multiplied_out, forms)) => {
+                    let mut multiplied_out = multiplied_out.get(exponent).cloned().unwrap_or_default();
+                    take_u(graph, &mut multiplied_out);
+                    let (multiplied_out, others) = (assemble(graph, &multiplied_out), assemble(graph, &others));
+                    forms.first(graph, multiplied_out, others)
+                }
+                None => assemble(graph, &others),
+            };
             let function = graph.call(Function::Exp, &[exponent]);
             let (constant, monomial) = split_coefficient(graph, function);
             let of_u = graph.call(Function::Exp, &[of_u]);
             Ok([(monomial, graph.product([of_u, constant]))].into_iter().collect())
         }
         Node::Call(function, of_call) => {
-            let mut expanded = Vec::with_capacity(of_call.len());
-            for id in of_call.iter() {
-                expanded.push(assemble(graph, &argument(id)));
-            }
-            let value = graph.call(function, &expanded);
+            let arguments: Vec<ExprId> = of_call.iter().map(|id| argument(graph, id)).collect();
+            let value = graph.call(function, &arguments);
             Ok(factor(graph, value))
         }
         Node::Spline(call, of_call) => {
-            let mut expanded = Vec::with_capacity(of_call.len());
-            for id in of_call.iter() {
-                expanded.push(assemble(graph, &argument(id)));
-            }
-            let value = graph.spline(call, &expanded);
+            let arguments: Vec<ExprId> = of_call.iter().map(|id| argument(graph, id)).collect();
+            let value = graph.spline(call, &arguments);
             Ok(factor(graph, value))
         }
         _ => Ok(factor(graph, id)),
+    }
+}
+
+/// A sum of first degree as a number times a sum in which that of v, or else of t, has none: `2b - 2v` is -2 times `v - b`.
+/// 1 if the power of the number `times` would leave the doubles.
+fn primitive(graph: &mut Graph, sum: &Monomials, times: i32) -> (Number, ExprId) {
+    let variables = [Variable::V, Variable::T].map(|variable| graph.variable(variable));
+    let leading = variables.iter().find_map(|variable| sum.get(variable)).map(|coefficient| {
+        match graph.as_number(*coefficient) {
+            Some(number) => number,
+            None => graph.split_factor(*coefficient).0,
+        }
+    });
+    let whole = assemble(graph, sum);
+    let is_bounded = |number: &Number| number.powi(times).is_some_and(|power| power.to_f64().is_normal());
+    match leading.filter(is_bounded).and_then(|number| Some((number, number.powi(-1)?))) {
+        Some((number, inverse)) => (number, graph.scale(inverse, whole)),
+        None => (Number::integer(1), whole),
     }
 }
 
@@ -169,14 +236,17 @@ fn factor(graph: &mut Graph, expr: ExprId) -> Monomials {
     [(monomial, graph.number(number))].into_iter().collect()
 }
 
-/// The terms of a sum that depend on u, and the others.
-fn split_by_u(graph: &mut Graph, expr: ExprId) -> (ExprId, ExprId) {
-    let terms = match graph.node(expr) {
+/// Takes out of the constant of a sum the terms that depend on u.
+fn take_u(graph: &mut Graph, sum: &mut Monomials) -> ExprId {
+    let one = graph.integer(1);
+    let Some(constant) = sum.get(&one).copied() else { return graph.integer(0) };
+    let terms = match graph.node(constant) {
         Node::Sum(terms) => terms.to_vec(),
-        _ => vec![expr],
+        _ => vec![constant],
     };
     let (of_u, others): (Vec<ExprId>, Vec<ExprId>) = terms.into_iter().partition(|term| graph.dependence(*term).u);
-    (graph.sum(of_u), graph.sum(others))
+    sum.insert(one, graph.sum(others));
+    graph.sum(of_u)
 }
 
 /// The factors of a product that belong to the coefficients, and the others.

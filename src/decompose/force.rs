@@ -5,7 +5,7 @@
 
 use super::Decomposition;
 use super::closure::{check_closes, differentiated};
-use super::expand::expand;
+use super::expand::{Forms, expand};
 use crate::diagnostic::Diagnostic;
 use crate::expr::{ExprId, Graph};
 use crate::limits::Limits;
@@ -30,10 +30,11 @@ pub fn split_force(decomposition: &Decomposition, limits: &Limits) -> Result<Spl
     let operator = &decomposition.operator;
     let variables = differentiated(operator);
     let zero = graph.integer(0);
+    let mut forms = Forms::default();
     let mut closed = [zero; 3];
     let mut open: Vec<(ExprId, [ExprId; 3])> = Vec::new();
     for (component, (sum, force)) in closed.iter_mut().zip(operator.force).enumerate() {
-        let monomials = expand(&mut graph, force, limits).map_err(|finding| finding.at(operator.origin))?;
+        let monomials = expand(&mut graph, force, &mut forms, limits).map_err(|finding| finding.at(operator.origin))?;
         let mut terms = Vec::with_capacity(monomials.len());
         for (function, amplitude) in monomials {
             if check_closes(&graph, function, variables, None).is_ok() {

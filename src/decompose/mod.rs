@@ -79,6 +79,7 @@ pub fn decompose(problem: &Problem, patch: &Patch, limits: &Limits) -> Result<De
         return Ok(Decomposition { graph, patch: patch.clone(), operator, basis: Vec::new(), coefficients });
     }
     let zero = graph.integer(0);
+    let mut forms = expand::Forms::default();
     // For each basis function: its place, and its coefficient in each condition and component.
     type Row = (Option<Span>, Vec<[ExprId; 3]>);
     let mut rows: IndexMap<ExprId, Row, FxBuildHasher> = IndexMap::default();
@@ -88,7 +89,7 @@ pub fn decompose(problem: &Problem, patch: &Patch, limits: &Limits) -> Result<De
         else {
             continue;
         };
-        let monomials = expand::expand(&mut graph, value, limits).map_err(|finding| finding.at(origin))?;
+        let monomials = expand::expand(&mut graph, value, &mut forms, limits).map_err(|finding| finding.at(origin))?;
         for (function, coefficient) in monomials {
             let empty = || (origin, vec![[zero; 3]; patch.conditions.len()]);
             let (_, coefficients) = rows.entry(function).or_insert_with(empty);

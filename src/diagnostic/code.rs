@@ -130,7 +130,8 @@ codes! {
     SeriesTruncated = "W0414", Warning, Numerical, "A Fourier series leaves out part of the boundary data or of the force.";
     PositionsAmplify = "W0415", Warning, Numerical, "Positions inside the blend amplify high wave numbers.";
     LargeResidual = "W0417", Warning, Numerical, "The surface that `auto` found does not solve its equation.";
-    EndsDominate = "W0418", Warning, Numerical, "What does not close in v makes the surface far larger than its data.";
+    LayersTooThin = "E0418", Error, Numerical, "The solution has layers too thin to be resolved.";
+    EndsDominate = "W0419", Warning, Numerical, "What does not close in v makes the surface far larger than its data.";
     SeamApart = "E0416", Error, Source, "Patches do not meet where a seam is stated.";
     KnotsNotAscending = "E0601", Error, Source, "A knot vector is not one.";
     KnotRepeated = "E0602", Error, Source, "A knot inside a net is repeated.";

@@ -4,13 +4,13 @@
 use std::sync::{Mutex, OnceLock, PoisonError};
 
 use super::exact::Exact;
-use super::fourier::Fourier;
+use super::fourier::{Fourier, LEAST_TOLERANCE};
 use super::{Method, Numbers, Options, Solution, Solver, passed_over};
 use crate::decompose::Decomposition;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::problem::DomainValues;
 
-/// A solver that asks `fourier` where `exact` finds no solution.
+/// A solver that asks `fourier` where layers are too thin for `exact`.
 pub struct ExactOrFourier {
     exact: Box<dyn Solver>,
     /// Compiled when it is asked for.
@@ -60,7 +60,9 @@ impl ExactOrFourier {
         Fourier.accepts(&self.decomposition, &self.options.limits)?;
         Fourier.suits(&self.decomposition, &numbers, &self.options.limits)?;
         let prepared = self.fourier.get_or_init(|| {
-            let settings = self.options.settings.clone().only(Fourier.settings());
+            let mut settings = self.options.settings.clone().only(Fourier.settings());
+            // The tolerance is `exact`'s, which may be smaller.
+            settings.tolerance = settings.tolerance.map(|(tolerance, at)| (tolerance.max(LEAST_TOLERANCE), at));
             Fourier.prepare(&self.decomposition, &Options { settings, ..self.options.clone() })
         });
         prepared.as_ref().map_err(Diagnostic::clone)?.solve(params, ranges, t)
@@ -70,7 +72,7 @@ impl ExactOrFourier {
 impl Solver for ExactOrFourier {
     fn solve(&self, params: &[f64], ranges: [[f64; 2]; 2], t: f64) -> Result<Solution, Diagnostic> {
         let reason = match self.solve_exactly(params, ranges, t) {
-            Err(reason) if reason.code == Code::SolutionNotFinite => reason,
+            Err(reason) if reason.code == Code::LayersTooThin => reason,
             solved => return solved,
         };
         match self.solve_by_series(params, ranges, t) {
@@ -78,6 +80,7 @@ impl Solver for ExactOrFourier {
                 solution.report.warnings.insert(0, passed_over(Exact.name(), Fourier.name(), &reason));
                 Ok(solution)
             }
+            Err(other) if other.message == reason.message => Err(reason),
             Err(other) => Err(reason.hint(format!("{}: {}", Fourier.name(), other.message))),
         }
     }

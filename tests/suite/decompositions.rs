@@ -280,13 +280,29 @@ fn products_of_sums_expand() {
 }
 
 #[test]
-fn powers_of_first_degree_polynomials_stay_whole_but_in_arguments() {
+fn powers_of_first_degree_polynomials_stay_whole() {
     assert_eq!(terms_of("a (v - 10)^6"), pairs(&[("(-10 + v)^6", "a")]));
-    assert_eq!(terms_of("(2(v - b))^3 (v - b)"), pairs(&[("v*(2*v - 2*b)^3", "1"), ("(2*v - 2*b)^3", "-b")]));
+    assert_eq!(terms_of("(2(v - b))^3 (v - b)"), pairs(&[("v*(v - b)^3", "8"), ("(v - b)^3", "-8*b")]));
     assert_eq!(terms_of("(v + t)^2 + v"), pairs(&[("(v + t)^2", "1"), ("v", "1")]));
-    assert_eq!(basis_of("sin((v + 1)^2) - sin(v^2 + 2v + 1)").len(), 0);
-    // A first power has no digits to lose that its parts had.
+    // A first power alone loses as much as v itself was rounded by.
     assert_eq!(basis_of("v - 10"), ["1", "v"]);
+}
+
+#[test]
+fn powers_of_sums_that_are_multiples_of_each_other_are_one_function() {
+    assert_eq!(basis_of("(v - 1)^2 - (1 - v)^2").len(), 0);
+    assert_eq!(terms_of("(v - 1)^3 + (1 - v)^3 + (3 - 3v)^3"), pairs(&[("(-1 + v)^3", "-27")]));
+    assert_eq!(terms_of("(2(v - b))^4 + a (v - b)^4"), pairs(&[("(v - b)^4", "16 + a")]));
+    assert_eq!(basis_of("(v + t)^2 + (-v - t)^2").len(), 1);
+    // 1e600 is no double, though the power is one.
+    assert_eq!(basis_of("(1000v + 1)^200"), ["(1 + 1000*v)^200"]);
+}
+
+#[test]
+fn arguments_are_compared_multiplied_out_and_evaluated_as_written() {
+    assert_eq!(basis_of("sin((v + 1)^2) - sin(v^2 + 2v + 1)").len(), 0);
+    assert_eq!(basis_of("sin((v - 9)^2) + sin(v^2 - 18v + 81)"), ["sin((-9 + v)^2)"]);
+    assert_eq!(terms_of("e^(a (v - 9)^2) + 2e^(a v^2 - 18a v + 81a)"), pairs(&[("exp(a*(-9 + v)^2)", "3")]));
 }
 
 #[test]

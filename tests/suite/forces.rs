@@ -44,6 +44,48 @@ fn bulge(size: f64, sharpness: f64, centre: f64, [u, v]: [f64; 2]) -> f64 {
     size * (std::f64::consts::PI / sharpness).sqrt() / std::f64::consts::PI * (0..=250).map(wave).sum::<f64>()
 }
 
+/// z of a surface about `v = c`, at places given from there; c must not show.
+fn about(c: f64, values: &str, places: &[[f64; 2]]) -> Vec<f64> {
+    let text = format!("param c = {c}\ndomain v in [c, c + 6]\n{values}");
+    let (_, solution) = solved(&text, 0.0);
+    places.iter().map(|[u, v]| at(&*solution.surface, "", [*u, c + v, 0.0])[2]).collect()
+}
+
+#[test]
+fn functions_about_a_far_centre_keep_the_digits_that_v_has() {
+    let equation = "pde d4S/du4 + 2 d4S/du2dv2 + d4S/dv4";
+    let force = format!(
+        "{equation} = [0, 0, exp(-100 (v - c - 3)^2)]
+        at u = 0: S = [v - c, 0, 0], dS/du = [0, 1, 0]\nat u = 1: S = [v - c, 1, 0], dS/du = [0, 1, 0]"
+    );
+    let boundary = format!(
+        "{equation} = 0\nat u = 0: S = [0, 0, exp(-100 (v - c - 3)^2)], dS/du = [0, 1, 0]
+        at u = 1: S = [0, 1, sin((v - c)^2)], dS/du = [0, 1, 0]"
+    );
+    // Binary fractions: v is exact about every centre.
+    let places = [[0.5, 3.0], [0.25, 3.125], [0.75, 5.0]];
+    let periodic = boundary.replace("sin((v - c)^2)", "0");
+    for values in [force, boundary, periodic] {
+        let near = about(0.0, &values, &places);
+        let largest = near.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+        for c in [1e3, 1e4, 1e5] {
+            for (found, expected) in about(c, &values, &places).iter().zip(&near) {
+                // The wave cos nv is rounded as n v is.
+                assert!((found - expected).abs() <= 1e-15 * c * largest, "{c}: {found} {expected}");
+            }
+        }
+    }
+}
+
+#[test]
+fn product_of_powers_about_a_far_centre_is_the_one_about_zero() {
+    let values = "at u = 0: S = [v - c, 0, (v - c)^5 (v - c + 1)^5], dS/du = 0\nat u = 1: S = [v - c, 1, 0], dS/du = 0";
+    let places = [[0.5, 0.75], [0.25, 1.5], [0.75, 5.0]];
+    for (found, expected) in about(1e6, values, &places).iter().zip(about(0.0, values, &places)) {
+        assert!((found - expected).abs() <= 1e-14 * expected.abs(), "{found} {expected}");
+    }
+}
+
 #[test]
 fn narrow_force_is_a_series_and_boundary_data_that_close_stay_exact() {
     // v does not close over the range of v; it needs no series.

@@ -48,8 +48,9 @@ impl ExactSolver {
         }
         let name = self.name(j);
         let thinnest = progress.features.iter().min_by(|a, b| a.width.total_cmp(&b.width));
-        let (message, hint) = match (thinnest, self.fastest_rate(members, progress)) {
+        let (code, message, hint) = match (thinnest, self.fastest_rate(members, progress)) {
             (Some(Feature { at, width }), _) => (
+                Code::SolutionNotFinite,
                 format!(
                     "{MOST_TERMS} terms across the blend do not resolve the solution along `{name}`: the force or a coefficient \
                      changes within {width:.1e} at u = {at:.6}"
@@ -57,6 +58,7 @@ impl ExactSolver {
                 "make it wider, or choose a fitted method and measure what it leaves of the equation",
             ),
             (None, Ok(rate)) if rate > 1.0 && rate.is_finite() => (
+                Code::LayersTooThin,
                 format!(
                     "the solution along `{name}` has layers too thin for {MOST_TERMS} terms across the blend, about {:.1e} wide",
                     1.0 / rate
@@ -65,12 +67,13 @@ impl ExactSolver {
                  larger, or choose a fitted method",
             ),
             _ => (
+                Code::SolutionNotFinite,
                 format!("{MOST_TERMS} terms across the blend do not resolve the solution along `{name}`"),
                 "the coefficient of the highest derivative in u is zero somewhere, or the force or a coefficient has a jump or \
                  a kink in u; smooth it, or choose a fitted method",
             ),
         };
-        Diagnostic::new(Code::SolutionNotFinite, message).at(self.origin(j)).hint(hint)
+        Diagnostic::new(code, message).at(self.origin(j)).hint(hint)
     }
 
     /// The finding for numbers that leave the doubles.

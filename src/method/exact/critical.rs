@@ -21,7 +21,7 @@ const STEPS: usize = 12;
 /// The step of a difference quotient, relative to the coefficient: its error and that of rounding are about equal.
 const DIFFERENCE: f64 = 1e-5;
 
-/// A critical value that moves by less is found; six decimals are shown.
+/// A critical value that moves by less is found, relative to its size; seven digits or more are shown.
 const SETTLED: f64 = 1e-8;
 
 /// Critical values shown in a message.
@@ -39,15 +39,21 @@ impl ExactSolver {
         for (symbol, name) in &self.coefficients {
             let Some(value) = progress.params.get(*symbol).copied() else { continue };
             let Some(found) = self.critical_param(worst, *symbol, value, progress)? else { continue };
-            critical.push((relative(found, value), format!("at {name} = {found:.*}", decimals(found - value))));
+            let exactly = if is_same(found, value) { ", which is exactly critical" } else { "" };
+            critical.push((relative(found, value), format!("at {name} = {}{exactly}", told_apart(found, value))));
         }
         if critical.is_empty() {
             for term in &self.operator.terms {
                 let Some(value) = number_in_front(&self.closure.graph, term, worst.component) else { continue };
                 let Some(found) = self.critical_number(worst, term, value, progress)? else { continue };
-                let [there, here] = [format!("{found:.*}", decimals(found - value)), Shortest(value).to_string()]
+                let [there, here] = [told_apart(found, value), Shortest(value).to_string()]
                     .map(|number| Self::written(&number, term, worst.component));
-                critical.push((relative(found, value), format!("with `{there}` for `{here}`")));
+                let text = if is_same(found, value) {
+                    format!("with `{here}`, which is exactly critical")
+                } else {
+                    format!("with `{there}` for `{here}`")
+                };
+                critical.push((relative(found, value), text));
             }
         }
         critical.sort_by(|(a, _), (b, _)| a.total_cmp(b));
@@ -132,14 +138,16 @@ fn nearest_singular(
 ) -> Result<Option<f64>, Diagnostic> {
     let (mut at, mut factorised) = (value, Arc::clone(factorised));
     for _ in 0..STEPS {
-        let step = DIFFERENCE * at.abs().max(1.0);
+        // A coefficient that is 0 says nothing about its size.
+        let size = Some(at.abs().max(value.abs())).filter(|size| *size > 0.0).unwrap_or(1.0);
+        let step = DIFFERENCE * size;
         let derivative = (matrix_at(at + step)? - matrix_at(at - step)?) / (2.0 * step);
         if derivative.iter().any(|value| !value.is_finite()) {
             return Ok(None);
         }
         let Some(distance) = factorised.distance_to_singular(&derivative) else { return Ok(None) };
         at += distance;
-        if distance.abs() <= SETTLED * at.abs().max(1.0) {
+        if distance.abs() <= SETTLED * at.abs().max(size) {
             return Ok(Some(at));
         }
         let matrix = matrix_at(at)?;
@@ -158,11 +166,25 @@ fn relative(found: f64, value: f64) -> f64 {
     (found - value).abs() / value.abs().max(f64::MIN_POSITIVE)
 }
 
-/// As many decimals as tell a critical value from one that is so far away: six, or two digits of the difference.
-fn decimals(difference: f64) -> usize {
-    let first = -libm::floor(libm::log10(difference.abs()));
-    // No difference has an infinite logarithm, and 15 decimals are more than a value of size 1 has.
-    (first + 1.0).clamp(6.0, 15.0) as usize
+/// Whether a critical value is the present one up to rounding.
+fn is_same(found: f64, value: f64) -> bool {
+    (found - value).abs() <= 4.0 * f64::EPSILON * value.abs()
+}
+
+/// A critical value with digits enough to tell it from the present one: seven, six decimals, or two of the difference.
+fn told_apart(found: f64, value: f64) -> String {
+    if found == 0.0 {
+        return "0".to_owned();
+    }
+    let exponent = |value: f64| libm::floor(libm::log10(value.abs()));
+    // No difference has an infinite exponent, and no double more than 17 digits.
+    let digits = (exponent(found) - exponent(found - value) + 1.0).clamp(6.0, 16.0);
+    if (1e-4..1e15).contains(&found.abs()) {
+        let decimals = (digits - exponent(found)).max(6.0).min(16.0 - exponent(found));
+        format!("{found:.*}", decimals as usize)
+    } else {
+        format!("{found:.*e}", digits as usize)
+    }
 }
 
 /// The coefficient of a term in one component, if it is a number.

@@ -4,6 +4,7 @@
 //! (docs/methods.md, F5). So `g - p` closes with as many derivatives, and its coefficients fall like those of data that
 //! are as smooth. Powers of v are closed under every derivative, so `exact` solves the equation for p.
 
+use super::series::{constant, vector};
 use crate::decompose::{BasisFunction, Decomposition};
 use crate::diagnostic::Diagnostic;
 use crate::expr::{ExprId, Graph, Number, Variable};
@@ -48,7 +49,7 @@ impl Ends {
             taylor.iter().map(|row| share * row.iter().zip(&stated).map(|(a, b)| a * b).sum::<f64>()).collect()
         };
         let coefficients = is_open.iter().enumerate().map(polynomial).collect();
-        Some(Ends { middle: 0.5 * (low + high), half, coefficients })
+        Some(Ends { middle: 0.5 * low + 0.5 * high, half, coefficients })
     }
 
     /// The polynomial of value number `index` at `v`.
@@ -89,6 +90,10 @@ impl Ends {
 
     /// The exact solution for the polynomials, without any force, over a range of v whose middle is 0: its basis are the
     /// powers of v. Coefficients of the equation do not depend on v, so that it may be moved.
+    ///
+    /// # Errors
+    /// [`Code::DataNotFinite`](crate::diagnostic::Code::DataNotFinite) for a coefficient that left the doubles, and as the
+    /// method `exact`.
     pub fn solve(
         &self,
         decomposition: &Decomposition,
@@ -104,13 +109,14 @@ impl Ends {
         }
         let mut coefficients = Vec::new();
         for condition in 0..decomposition.patch.conditions.len() {
-            let vector = |power: usize| {
-                [0, 1, 2].map(|component| {
-                    let value = self.coefficient(3 * condition + component, power);
-                    graph.number(Number::from_f64(value).unwrap_or(Number::integer(0)))
-                })
-            };
-            coefficients.push((0..self.powers()).map(vector).collect());
+            let mut row = Vec::with_capacity(self.powers());
+            for power in 0..self.powers() {
+                let number = |component| {
+                    constant(&mut graph, self.coefficient(3 * condition + component, power), "the boundary data")
+                };
+                row.push(vector(number)?);
+            }
+            coefficients.push(row);
         }
         let mut operator = decomposition.operator.clone();
         operator.force = [graph.integer(0); 3];

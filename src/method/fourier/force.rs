@@ -4,10 +4,10 @@
 //! a share of its own size, so that the a_j do not matter. The truncated force has a finite closure.
 
 use super::ends::Ends;
-use super::series::{Length, Series, SeriesData};
+use super::series::{Length, Series, SeriesData, constant};
 use crate::decompose::{Decomposition, split_force};
 use crate::diagnostic::{Code, Diagnostic};
-use crate::expr::{ExprId, Function, Graph, Notation, Number};
+use crate::expr::{ExprId, Function, Graph, Notation};
 use crate::limits::Limits;
 
 /// The force of an equation, with what is to be expanded of it compiled.
@@ -76,30 +76,40 @@ impl Force {
     }
 
     /// `decomposition`, for which this was compiled, with the force whose series are `series`.
-    pub fn truncated(&self, decomposition: &Decomposition, series: &[Series]) -> Decomposition {
+    ///
+    /// # Errors
+    /// [`Code::DataNotFinite`] for a coefficient that left the doubles.
+    pub fn truncated(&self, decomposition: &Decomposition, series: &[Series]) -> Result<Decomposition, Diagnostic> {
         if !self.is_open() {
-            return decomposition.clone();
+            return Ok(decomposition.clone());
         }
         let mut graph = self.graph.clone();
         let mut terms: [Vec<ExprId>; 3] = self.closed.map(|closed| vec![closed]);
         for (function, series) in self.open.iter().zip(series) {
-            let sum = sum(&mut graph, series);
+            let sum = sum(&mut graph, series).map_err(|finding| finding.at(decomposition.operator.origin))?;
             for (terms, amplitude) in terms.iter_mut().zip(function.amplitudes) {
                 terms.push(graph.product([amplitude, sum]));
             }
         }
         let mut truncated = decomposition.clone();
         truncated.operator.force = terms.map(|terms| graph.sum(terms));
-        Decomposition { graph, ..truncated }
+        Ok(Decomposition { graph, ..truncated })
     }
 
     /// `decomposition` without boundary data, and with no force but one polynomial for each function that is expanded.
-    pub fn of_polynomials(&self, decomposition: &Decomposition, ends: &[Option<Ends>]) -> Decomposition {
+    ///
+    /// # Errors
+    /// [`Code::DataNotFinite`] for polynomials that overflow.
+    pub fn of_polynomials(
+        &self,
+        decomposition: &Decomposition,
+        ends: &[Option<Ends>],
+    ) -> Result<Decomposition, Diagnostic> {
         let mut graph = self.graph.clone();
         let mut terms: [Vec<ExprId>; 3] = Default::default();
         for (function, ends) in self.open.iter().zip(ends) {
             let Some(ends) = ends else { continue };
-            let sum = polynomial(&mut graph, ends);
+            let sum = polynomial(&mut graph, ends, "the force")?;
             for (terms, amplitude) in terms.iter_mut().zip(function.amplitudes) {
                 terms.push(graph.product([amplitude, sum]));
             }
@@ -108,33 +118,34 @@ impl Force {
         alone.operator.force = terms.map(|terms| graph.sum(terms));
         let zero = [graph.integer(0); 3];
         alone.coefficients.iter_mut().flatten().for_each(|coefficient| *coefficient = zero);
-        Decomposition { graph, ..alone }
+        Ok(Decomposition { graph, ..alone })
     }
 }
 
-/// The first function of `ends` as an expression.
-fn polynomial(graph: &mut Graph, ends: &Ends) -> ExprId {
+/// The first function of `ends`, which carry what does not close of `subject`, as an expression.
+fn polynomial(graph: &mut Graph, ends: &Ends, subject: &str) -> Result<ExprId, Diagnostic> {
     let mut terms = Vec::new();
     for power in 0..ends.powers() {
-        let factor = graph.number(Number::from_f64(ends.coefficient(0, power)).unwrap_or(Number::integer(0)));
-        let power = ends.power(graph, power);
+        let (factor, power) = (constant(graph, ends.coefficient(0, power), subject)?, ends.power(graph, power));
         terms.push(graph.product([factor, power]));
     }
-    graph.sum(terms)
+    Ok(graph.sum(terms))
 }
 
 /// The first function of `series` as an expression: its polynomial and its waves.
-fn sum(graph: &mut Graph, series: &Series) -> ExprId {
+fn sum(graph: &mut Graph, series: &Series) -> Result<ExprId, Diagnostic> {
     let mut terms = Vec::new();
-    let number = |graph: &mut Graph, value: f64| graph.number(Number::from_f64(value).unwrap_or(Number::integer(0)));
-    terms.extend(series.ends.as_ref().map(|ends| polynomial(graph, ends)));
+    let number = |graph: &mut Graph, value: f64| constant(graph, value, &series.subject);
+    if let Some(ends) = &series.ends {
+        terms.push(polynomial(graph, ends, &series.subject)?);
+    }
     let pairs = series.coefficients.first().map_or(&[][..], Vec::as_slice);
     for (n, [even, odd]) in pairs.iter().enumerate() {
         let angle = super::modal::wave(graph, n as f64 * series.wave_number);
         for (function, value) in [(Function::Cos, *even), (Function::Sin, *odd)] {
-            let (factor, wave) = (number(graph, value), graph.call(function, &[angle]));
+            let (factor, wave) = (number(graph, value)?, graph.call(function, &[angle]));
             terms.push(graph.product([factor, wave]));
         }
     }
-    graph.sum(terms)
+    Ok(graph.sum(terms))
 }

@@ -35,6 +35,9 @@ pub struct Fourier;
 
 const DEFAULT_TOLERANCE: f64 = 1e-12;
 
+/// The smallest tolerance: rounding leaves out as much.
+pub const LEAST_TOLERANCE: f64 = 1e-14;
+
 /// A sum of sizes of the position functions from which on high modes are worth a warning: at three a digit is lost
 /// within a few wave numbers more.
 const AMPLIFYING: f64 = 3.0;
@@ -142,7 +145,7 @@ fn refuse_divergence(length: Length, series: &Series) -> Result<(), Diagnostic> 
 fn length(options: &Options) -> Result<Length, Diagnostic> {
     let limit = options.limits.modes;
     if let Some((tolerance, origin)) = options.settings.tolerance
-        && !(1e-14..=1e-2).contains(&tolerance)
+        && !(LEAST_TOLERANCE..=1e-2).contains(&tolerance)
     {
         let tolerance = Shortest(tolerance);
         let message = format!("the tolerance {tolerance} lies outside [1e-14, 1e-2]");
@@ -213,7 +216,7 @@ impl Solver for FourierSolver {
         refuse_divergence(self.length, &series)?;
         let numerals = self.numerals(params, range_u)?;
         let mut warnings = Diagnostics::new();
-        let truncated = self.force.truncated(&self.decomposition, &forces);
+        let truncated = self.force.truncated(&self.decomposition, &forces)?;
         let mut assembly = Assembly::new(&truncated, &series);
         let rates = if self.may_be_modal { numerals.rates() } else { None };
         let mut amplification = None;
@@ -274,7 +277,7 @@ impl FourierSolver {
         forces: &[Series],
         (params, ranges, t): (&[f64], [[f64; 2]; 2], f64),
     ) -> Result<Solution, Diagnostic> {
-        let truncated = self.force.truncated(&self.decomposition, forces);
+        let truncated = self.force.truncated(&self.decomposition, forces)?;
         let solution = Exact.prepare(&truncated, &self.exact_options(forces))?.solve(params, ranges, t)?;
         let surface = solution.separable()?.clone();
         let mut warnings = solution.report.warnings;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::ends::Ends;
-use super::series::Series;
+use super::series::{Series, constant, vector};
 use crate::decompose::{BasisFunction, Decomposition, close};
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::{Derivative, ExprId, Function, Graph, Number, Variable};
@@ -180,11 +180,11 @@ impl Assembly {
             let mut row = Vec::with_capacity(self.functions.len());
             for (n, places) in self.waves.iter().enumerate() {
                 for (part, _) in places.iter().enumerate().take(if n == 0 { 1 } else { 2 }) {
-                    row.push([0, 1, 2].map(|component| {
+                    row.push(vector(|component| {
                         let pairs = series.coefficients.get(3 * condition + component);
                         let value = pairs.and_then(|pairs| pairs.get(n)?.get(part).copied()).unwrap_or(0.0);
-                        graph.number(Number::from_f64(value).unwrap_or(Number::integer(0)))
-                    }));
+                        constant(&mut graph, value, &series.subject)
+                    })?);
                 }
             }
             coefficients.push(row);

@@ -44,7 +44,7 @@ impl FourierSolver {
             let solved = |ends: Ends| {
                 let all: Vec<Option<Ends>> =
                     (0..forces.len()).map(|other| (other == index).then(|| ends.clone())).collect();
-                let alone = self.force.of_polynomials(&self.decomposition, &all);
+                let alone = self.force.of_polynomials(&self.decomposition, &all)?;
                 Exact.prepare(&alone, &self.exact_options(forces))?.solve(params, ranges, t)
             };
             let ratio =

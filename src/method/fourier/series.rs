@@ -10,7 +10,7 @@ use super::ends::{Ends, MOST_DERIVATIVES};
 use crate::decompose::Decomposition;
 use crate::diagnostic::{Code, Diagnostic, Shortest, Span};
 use crate::eval::{Backend, Evaluator, Program, Samples, compile};
-use crate::expr::{Derivative, ExprId, Graph, Notation};
+use crate::expr::{Derivative, ExprId, Graph, Notation, Number};
 use crate::features::{Features, locate};
 use crate::numeric::trigonometric_coefficients;
 use crate::problem::describe_condition;
@@ -402,6 +402,22 @@ fn change(before: &[Vec<[f64; 2]>], now: &[Vec<[f64; 2]>], modes: usize) -> f64 
 fn sum(pairs: &[[f64; 2]], angle: f64) -> f64 {
     let terms = pairs.iter().enumerate().filter(|(_, pair)| **pair != [0.0; 2]);
     terms.map(|(n, [a, b])| a * libm::cos(n as f64 * angle) + b * libm::sin(n as f64 * angle)).sum()
+}
+
+/// A coefficient of the series of `subject` as an expression.
+///
+/// # Errors
+/// [`Code::DataNotFinite`] for one that left the doubles.
+pub fn constant(graph: &mut Graph, value: f64, subject: &str) -> Result<ExprId, Diagnostic> {
+    Number::from_f64(value).map(|number| graph.number(number)).ok_or_else(|| {
+        Diagnostic::new(Code::DataNotFinite, format!("a coefficient of the series of {subject} is {value}"))
+            .hint("the values and their derivatives in v overflow; bring the data to ordinary sizes")
+    })
+}
+
+/// The x, y and z of which all exist.
+pub fn vector(mut component: impl FnMut(usize) -> Result<ExprId, Diagnostic>) -> Result<[ExprId; 3], Diagnostic> {
+    Ok([component(0)?, component(1)?, component(2)?])
 }
 
 /// Six digits, for messages.

@@ -205,7 +205,7 @@ pub const ROWS: &[Row] = &[
     (Whole("at u = 0: S_x = 2 S\n"), NotBoundaryData, "1:19", "S", "`S` is what is to be found, so it cannot stand here"),
     (Whole("pde 1e300 d4S/du4 + 1e300 d4S/dv4 = 0\nat u = 0: S = [1e300 sin(v), 0, 0], dS/du = 0\nat u = 1: S = 0, dS/du = 0\nsolve sine"), SolutionNotFinite, "1:1", "pde 1e300 d4S/du4 + 1e300 d4S/dv4 = 0", "the residual of the equation is not finite on the domain"),
     (Whole("param a = 1e200\nat u = 0: S = [a^2 v, 0, 0], dS/du = 0\nat u = 1: S = 0, dS/du = 0"), ParameterNotFinite, "2:16", "a^2 v", "the coefficient of `v` in the boundary data is not finite"),
-    (Whole("at u = 0: S = [e^(1000 v), 0, 0], dS/du = 0\nat u = 1: S = 0, dS/du = 0"), SolutionNotFinite, "1:16", "e^(1000 v)", "layers too thin"),
+    (Whole("at u = 0: S = [e^(1000 v), 0, 0], dS/du = 0\nat u = 1: S = 0, dS/du = 0"), LayersTooThin, "1:16", "e^(1000 v)", "layers too thin"),
     (Whole("at u = 0: S = [tan(v/20), 0, 0], dS/du = 0\nat u = 1: S = 0, dS/du = 0\nsolve exact"), UnsupportedByMethod, "1:16", "tan(v/20)", "`tan(0.05*v)` has no finite closure"),
     (After("solve exact, terms = 5"), UnknownSetting, "3:22", "5", "the method `exact` has no setting `terms`"),
     (After("solve exact, tolerance = 2"), SettingOutOfRange, "3:26", "2", "outside [1e-15, 1e-2]"),
