@@ -43,6 +43,7 @@ fn main() -> Result<(), Diagnostic> {
         conditions,
         joins: Vec::new(),
         side_conditions: Vec::new(),
+        is_of_loop: false,
         deformations: Vec::new(),
         solve: SolveRequest::default(),
     };

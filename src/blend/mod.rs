@@ -363,7 +363,7 @@ impl Prepared {
         {
             plain.report.warnings.push(self.opened(gap, t));
         }
-        if !is_two_sided && let Some(place) = find_fold(&*plain.surface, &self.domain, t)? {
+        if !is_two_sided && let Some(place) = find_fold(&*plain.surface, (&self.domain, t), self.patch().is_of_loop)? {
             plain.report.warnings.push(self.folded(place, t));
         }
         if self.bumps.is_empty() {
@@ -451,9 +451,11 @@ impl Prepared {
     fn folded(&self, [u, v]: [f64; 2], t: f64) -> Diagnostic {
         let (name, t) = (&self.patch().name, Shortest(t));
         let message = format!("`{name}` folds back over itself near u = {u:.3}, v = {v:.3} at t = {t}");
-        Diagnostic::new(Code::PatchFolded, message)
-            .at(self.patch().boundary_origin())
-            .hint("tangents lead into the patch, and no corner of it is wider than 180 degrees: divide a loop at such a corner")
+        let advice = match self.patch().is_of_loop {
+            true => "divide the loop by an edge from the corner that is wider than 180 degrees",
+            false => "point the tangents at its sides into the patch",
+        };
+        Diagnostic::new(Code::PatchFolded, message).at(self.patch().boundary_origin()).hint(advice)
     }
 
     /// Measures a solution at instant `t` against the problem.

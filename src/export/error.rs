@@ -27,6 +27,16 @@ pub enum ExportError {
         /// The patch.
         name: String,
     },
+    /// A patch is narrower than places of the whole model are told apart.
+    #[error(
+        "`{name}` is narrower than {tolerance:.1e}, and places so close to each other are one in a model of that size"
+    )]
+    TooNarrow {
+        /// The patch.
+        name: String,
+        /// The distance below which places are one.
+        tolerance: f64,
+    },
     /// A coordinate is too large for the numbers of the format.
     #[error("{format} holds coordinates up to {largest:e}, and mesh `{mesh}` has {value:e}")]
     CoordinateTooLarge {
@@ -97,6 +107,7 @@ impl ExportError {
             ExportError::NoArea { .. } => {
                 diagnostic.hint("leave this patch out with `--patch`, or change its boundary")
             }
+            ExportError::TooNarrow { .. } => diagnostic.hint("write it to a file of its own with `--patch`"),
             ExportError::CoordinateTooLarge { .. } => diagnostic.hint("OBJ and PLY hold every coordinate"),
             ExportError::TopologyChanges { .. } => diagnostic.hint("leave the seams of closed surfaces open"),
             ExportError::UnfitInstants { .. } => diagnostic.hint("ask for fewer frames, or write NPZ or VTP"),

@@ -137,6 +137,7 @@ impl<'a> Between<'a> {
             operator: self.operator(name, [&from.operator, &to.operator])?,
             conditions,
             side_conditions: Vec::new(),
+            is_of_loop: false,
             deformations: Vec::new(),
             joins: Vec::new(),
             solve: common_request(name, &from.solve, &to.solve)?,

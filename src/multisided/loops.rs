@@ -1,5 +1,6 @@
 //! Loops of edges around a hole, and whether they close.
 
+use super::crossing::{chain, cross_over};
 use super::split;
 use super::vector::{End, Vector, at, combination, hermite, slope};
 use crate::diagnostic::{Code, Diagnostic, Shortest, Span};
@@ -121,7 +122,7 @@ impl EdgeLoop {
     ///
     /// # Errors
     /// [`Code::LoopOpen`] names the first corner that does not close, with its gap; [`Code::LoopFolded`] the first in which
-    /// an edge runs back over the one before; [`Code::SidesDisagree`] the first whose tangents differ.
+    /// an edge runs back over the one before, or the edge that crosses another; [`Code::SidesDisagree`] the first whose tangents differ.
     pub fn check(&self, problem: &Problem, bindings: &Bindings, t: f64, limits: &Limits) -> Result<(), Diagnostic> {
         self.check_in(&mut problem.graph.clone(), bindings.as_slice(), t, limits)
     }
@@ -167,6 +168,7 @@ impl EdgeLoop {
                     .hint("edges follow one another around a hole; between these two there is none"));
             }
         }
+        self.check_crossings(&|edge: &Edge, u| value(graph, edge.curve, u), CLOSED * size)?;
         for (index, edge) in self.edges.iter().enumerate() {
             let Some(across) = edge.across else { continue };
             let expected = self.along_neighbours(graph, index, limits)?;
@@ -183,6 +185,27 @@ impl EdgeLoop {
                     return Err(Diagnostic::new(Code::SidesDisagree, message)
                         .at(edge.origin)
                         .hint(format!("it must be [{x}, {y}, {z}] there, or leave it out")));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Refuses edges that cross: patches on both sides of a crossing would be turned against each other.
+    fn check_crossings(&self, point: &dyn Fn(&Edge, f64) -> [f64; 3], close: f64) -> Result<(), Diagnostic> {
+        let chains: Vec<_> = self.edges.iter().map(|edge| chain(&|u| point(edge, u))).collect();
+        for (number, (edge, places)) in self.edges.iter().zip(&chains).enumerate() {
+            // Neighbours meet in a corner; the last edge is one of the first.
+            let last = self.edges.len() - usize::from(number == 0);
+            for (other_number, (other, others)) in
+                self.edges.iter().zip(&chains).enumerate().take(last).skip(number + 2)
+            {
+                if cross_over([&|u| point(edge, u), &|u| point(other, u)], [places, others], close) {
+                    let (first, second) = (number + 1, other_number + 1);
+                    let message = format!("edge {second} of the loop `{}` crosses edge {first}", self.name);
+                    return Err(Diagnostic::new(Code::LoopFolded, message)
+                        .at(other.origin)
+                        .hint("write the edges in the order in which they follow one another around the hole"));
                 }
             }
         }

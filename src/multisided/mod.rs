@@ -8,6 +8,7 @@
 //! they meet smoothly whatever the equation puts inside. Absent on purpose: numbers, but for the checks of a loop.
 
 mod apex;
+mod crossing;
 mod loops;
 mod split;
 mod vector;

@@ -86,6 +86,7 @@ pub fn split(
             operator: edges.operator.clone(),
             conditions: conditions.collect(),
             side_conditions: side_conditions.collect(),
+            is_of_loop: true,
             deformations: Vec::new(),
             solve: edges.solve.clone(),
         });

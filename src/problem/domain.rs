@@ -72,8 +72,15 @@ pub(super) fn interval(
     let low = bindings.constant_in(graph, low, origin, what)?;
     let high = bindings.constant_in(graph, high, origin, what)?;
     let farthest = low.abs().max(high.abs());
-    if low < high && high - low >= SHORTEST * farthest {
+    let length = high - low;
+    if length.is_finite() && low < high && length >= SHORTEST * farthest {
         return Ok([low, high]);
+    }
+    if length == f64::INFINITY {
+        let (low, high) = (Shortest(low), Shortest(high));
+        let message = format!("the domain {name} in [{low}, {high}] is so long that its length is no number");
+        let finding = Diagnostic::new(Code::EmptyDomain, message).at(origin);
+        return Err(finding.hint(format!("measure {name} in a larger unit")));
     }
     if low < high {
         let (low, high) = (Shortest(low), Shortest(high));

@@ -70,6 +70,8 @@ pub struct Patch {
     pub joins: Vec<Join>,
     /// Conditions at fixed v, by position and then by order; empty unless all four sides carry data.
     pub side_conditions: Vec<SideCondition>,
+    /// Whether it fills a corner of a loop of edges, which made its sides.
+    pub is_of_loop: bool,
     /// What is added to the solved surface in parts of its domain.
     pub deformations: Vec<Deformation>,
     /// How the document asks for it to be solved.

@@ -129,9 +129,14 @@ fn remark(closing: &Closing, (name, parameter): (&str, &str), [tolerance, breadt
     let finding = |message: String| Diagnostic::new(Code::EdgesNearlyMeet, message);
     let edges = format!("the edges of `{name}` at both ends of {parameter}");
     match seam {
-        Some(order) if *moved > 0.0 => Some(finding(format!(
-            "{edges} are up to {gap:.1e} apart and were made one: control points moved by up to {moved:.1e}, so that derivatives up to order {order} agree there"
-        ))),
+        Some(order) if *moved > 0.0 => {
+            // Edges that are one already leave only derivatives to agree.
+            let meeting =
+                if *gap > 0.0 { format!("are up to {gap:.1e} apart and were made one") } else { "meet".to_owned() };
+            Some(finding(format!(
+                "{edges} {meeting}: control points moved by up to {moved:.1e}, so that derivatives up to order {order} agree there"
+            )))
+        }
         None if *gap <= NEARLY * breadth => {
             let message = format!(
                 "{edges} are up to {gap:.1e} apart, so that it is open there: edges are one within {tolerance:.1e}"
@@ -159,6 +164,10 @@ fn surface(path: &str, file: Option<&DataFile>, face: Option<usize>, limits: &Li
     };
     let bad = |message: String| Diagnostic::new(Code::BadSplineFile, message);
     let index = match face {
+        _ if count == 0 => {
+            let finding = bad(format!("{path}: it holds no B-spline surface"));
+            return Err(finding.hint("write the surfaces to it, or name another file"));
+        }
         None if count == 1 => 0,
         None => {
             let finding = bad(format!("{path}: it holds {what}, and which of them is meant is missing"));

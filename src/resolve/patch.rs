@@ -130,7 +130,8 @@ fn patch(section: Section<'_>, bindings: Option<&Bindings>, reading: &mut Readin
     let deformations = deformation::resolve(&statements.deformations, numbers, &scope, reading);
     let ((conditions, joins), side_conditions) = (at_u?, at_v?);
     let operator = operator?;
-    let mut patch = Patch { name, domain, operator, conditions, joins, side_conditions, deformations, solve };
+    let mut patch =
+        Patch { name, domain, operator, conditions, joins, side_conditions, is_of_loop: false, deformations, solve };
     if boundaries.iter().any(|boundary| !boundary.constraints.apexes.is_empty()) {
         let closed = close_at_apex(&mut reading.graph, &mut patch, reading.limits);
         reading.keep(closed)?;

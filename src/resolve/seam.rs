@@ -94,7 +94,10 @@ fn seam_edge(
         // A net, behind the patches, has four sides.
         "v" if patches.get(original).is_none_or(Patch::is_four_sided) => Variable::V,
         other => {
-            let message = format!("patches meet at values of u, or of v if they have four sides, not of `{other}`");
+            let message = match other {
+                "v" => format!("the patch `{}` has no data at fixed v: it meets others at values of u", name.text),
+                _ => format!("patches meet at values of u, or of v if they have four sides, not of `{other}`"),
+            };
             return Err(Diagnostic::new(Code::UnexpectedText, message).at(edge.variable.span).into());
         }
     };

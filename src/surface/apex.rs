@@ -54,8 +54,9 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-fn norm(a: [f64; 3]) -> f64 {
-    libm::sqrt(dot(a, a))
+fn norm([x, y, z]: [f64; 3]) -> f64 {
+    // Squares would make a point of a very small side.
+    libm::hypot(libm::hypot(x, y), z)
 }
 
 fn cross([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> [f64; 3] {

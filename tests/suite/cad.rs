@@ -203,6 +203,15 @@ fn face_without_area_is_refused_before_the_first_byte() {
             }
         }
     }
+    // Beside a line that is huge, a square has an area, and beside a huge square it is too small for one model.
+    let line = net(4, 4, |i, j| [1e300, 1e300 * i as f64, j as f64]);
+    let huge = net(4, 4, |i, j| [1e300 * i as f64, 1e300 * j as f64, 0.0]);
+    let refusal = |other: &BsplineSurface| {
+        let faces = [face("sound", &sound), face("other", other)];
+        write_cad("part", &faces, CadFormat::Iges, &mut Vec::new()).expect_err("two sizes")
+    };
+    assert!(matches!(refusal(&line), ExportError::NoArea { name } if name == "other"));
+    assert!(matches!(refusal(&huge), ExportError::TooNarrow { name, .. } if name == "sound"));
     // A strip a ten-millionth as wide as it is long is one.
     let strip = net(4, 4, |i, j| [i as f64, j as f64 * 1e-7, 0.0]);
     assert!(write_cad("part", &[face("strip", &strip)], CadFormat::Iges, &mut Vec::new()).is_ok());

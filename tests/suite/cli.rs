@@ -96,6 +96,7 @@ fn bad_input_has_its_status_and_leaves_nothing() {
             1,
             "`1/v` (S_x at u = 0) is inf at v = 0",
         ),
+        ("domain that overflows", format!("domain t in [-1e308, 1e308]\n{complete}").into_bytes(), 1, "is no number"),
         ("empty domain", format!("domain v in [1, 1]\n{complete}").into_bytes(), 1, "is empty"),
         ("empty file", Vec::new(), 1, "states nothing"),
         ("not UTF-8", b"param a = \xff".to_vec(), 1, "not UTF-8"),

@@ -159,21 +159,26 @@ at v = 1: S = [3 u^2 - 2 u^3 + ({slope}) (u - 3 u^2 + 2 u^3), 1, 0], ∂S/∂v =
 }
 
 /// Where `[x, y, z]`, a function of u and v over the square from -1 to 1, folds.
-fn fold_of(position: &str) -> Option<[f64; 2]> {
+fn fold_of(position: &str, is_of_loop: bool) -> Option<[f64; 2]> {
     let problem = problem(&format!(
         "surface X(u, v) = {position}\ndomain v in [-1, 1]\nat u = 0: S = X(0, v), ∂S/∂u = 0\nat u = 1: S = X(1, v), ∂S/∂u = 0\n"
     ));
     let (bindings, limits) = (Bindings::evaluate(&problem).expect("numbers"), Limits::default());
     let surface = SymbolicSurface::new(&problem, &problem.surfaces[0], &bindings, &limits);
     let domain = DomainValues { u: [-1.0, 1.0], v: [-1.0, 1.0], t: [0.0, 1.0] };
-    find_fold(&surface, &domain, 0.0).expect("values")
+    find_fold(&surface, (&domain, 0.0), is_of_loop).expect("values")
 }
 
 #[test]
 fn folds_are_found_where_they_are() {
     // u = 0.3, a parabola, and a fold as round as a hair.
-    for text in ["[(u - 0.3)^2, v, 0]", "[(u - 0.3)^2, v, 0.01 (u - 0.3)]"] {
-        let [u, _] = fold_of(text).expect(text);
+    for (text, is_of_loop) in [
+        ("[(u - 0.3)^2, v, 0]", false),
+        ("[(u - 0.3)^2, v, 0.0001 (u - 0.3)]", false),
+        ("[(u - 0.3)^2, v, 0.01 (u - 0.3)]", true),
+        ("[(u - 0.3)^2, v + u, 0]", false),
+    ] {
+        let [u, _] = fold_of(text, is_of_loop).expect(text);
         // Where the length, |u - 0.3|, is a tenth of the usual.
         assert!((u - 0.3).abs() < 0.1, "{text}: {u}");
     }
@@ -194,6 +199,72 @@ fn bends_points_and_creases_are_no_folds() {
         "[u, 2u, 0 v]",
         "[0 u, 1, 0 v]",
     ] {
-        assert_eq!(fold_of(text), None, "{text}");
+        assert_eq!(fold_of(text, false), None, "{text}");
+        assert_eq!(fold_of(text, true), None, "{text}");
+    }
+}
+
+#[test]
+fn slender_crests_of_stated_sides_are_no_folds() {
+    for text in [
+        // Parabolas and waves of slopes from 4 to 500, an ellipse and a hair as thin as a hundredth.
+        "[u, v, 2u^2]",
+        "[u, v, 10 u^2]",
+        "[u, v, 250 u^2]",
+        "[u, v, 5 sin(2π u)]",
+        "[12 sin(π u/2), v, cos(π u/2)]",
+        "[(u - 0.3)^2, v, 0.01 (u - 0.3)]",
+        // Lines of constant u shrink to a point and open again: a double cone.
+        "[(u - 0.1) cos(v), (u - 0.1) sin(v), u]",
+    ] {
+        assert_eq!(fold_of(text, false), None, "{text}");
+    }
+    // The leading edge of a blade, 12 % as thick as it is long, and an arch with slopes up to 20.
+    for (curve, start, end) in [
+        ("1 - sin(π v), 0.06 cos(π v)", "[1, 0.06, 2u], ∂S/∂v = [-π, 0, 0]", "[1, -0.06, 2u], ∂S/∂v = [π, 0, 0]"),
+        ("20 v (1 - v), 0.5 - v", "[0, 0.5, 2u], ∂S/∂v = [20, -1, 0]", "[0, -0.5, 2u], ∂S/∂v = [-20, -1, 0]"),
+    ] {
+        let text = format!(
+            "domain v in [0, 1]
+at u = 0: S = [{curve}, 0], ∂S/∂u = [0, 0, 2]
+at u = 1: S = [{curve}, 2], ∂S/∂u = [0, 0, 2]
+at v = 0: S = {start}
+at v = 1: S = {end}\n"
+        );
+        assert_eq!(folded(&text), [0; 0], "{text}");
+    }
+}
+
+#[test]
+fn loop_whose_edges_cross_is_refused() {
+    let refused = |text: &str| {
+        let options = Options::default();
+        let found = Blend::compile_with(&Source::new(NAME, text), data_file, &options).err().expect(text);
+        (found[0].code, found[0].message.clone())
+    };
+    let bow = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    let crossed = (Code::LoopFolded, "edge 3 of the loop `hole` crosses edge 1".to_owned());
+    assert_eq!(refused(&polygon(&bow, 0.0, "")), crossed);
+    // Edges 2 and 4 bulge over each other.
+    let lens = |bulge: f64| {
+        format!(
+            "nsided hole {{\n    edge [u, 0, 0]\n    edge [1 - {bulge} u (1 - u), u, 0]\n    edge [1 - u, 1, 0]\n    \
+             edge [{bulge} u^2 (1 - u)/(1 + u), 1 - u, 0]\n}}\n"
+        )
+    };
+    assert_eq!(refused(&lens(4.0)), (Code::LoopFolded, "edge 4 of the loop `hole` crosses edge 2".to_owned()));
+}
+
+#[test]
+fn edges_that_run_close_or_pass_in_space_do_not_cross() {
+    // Arcs a hundred-thousandth apart, which chains of a few pieces would tangle.
+    let (inner, outer) = ("cos(3u), sin(3u)", "1.00001 cos(3 (1 - u^2)), 1.00001 sin(3 (1 - u^2))");
+    let crescent = format!(
+        "nsided hole {{\n    edge [1.00001 - 0.00001 u, 0, 0]\n    edge [{inner}, 0]\n    \
+         edge [(1 + 0.00001 u) cos(3), (1 + 0.00001 u) sin(3), 0]\n    edge [{outer}, 0]\n}}\n"
+    );
+    let bow = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [1.0, 0.0, 1.0], [0.0, 1.0, 1.0]];
+    for text in [crescent, polygon(&bow, 0.0, "")] {
+        assert_eq!(blend(&text).patches.len(), 4);
     }
 }

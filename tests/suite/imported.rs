@@ -215,6 +215,23 @@ fn joins_are_measured_against_the_imported_surface() {
     }
 }
 
+#[test]
+fn join_with_an_imported_crease_has_a_gap_and_no_tangents_to_compare() {
+    let (u, v) = (vec![0.0, 0.0, 0.5, 1.0, 1.0], vec![0.0, 0.0, 1.0, 1.0]);
+    let [u, v] = [u, v].map(|knots| KnotVector::new(1, knots).expect("knots"));
+    let net = (0..6).map(|at| [f64::from(at / 2), f64::from(at % 2), f64::from(at / 2 % 2)]).collect();
+    let creased = BsplineSurface::new(u, v, net).expect("a surface");
+    let text = "surface A = bspline(\"part.json\")\ndomain v in [0, 1]\n\
+        at u = 0: S = A(0.25, v), ∂S/∂u = [0, 0, 1]\nat u = 1: S = [3, v, 0], ∂S/∂u = [0, 0, 1]\n";
+    let blend = blend(text, &[("part.json", &to_json(&[("part", &creased)]).expect("JSON"))]);
+    let (solution, prepared) = (solved(&blend, 0.0), &blend.patches[0]);
+    let place = (&blend.bindings, &prepared.domain, 0.0);
+    let measured = verify_joins(&blend.problem, prepared.patch(), &*solution.surface, place, &Limits::default());
+    let measured = measured.expect("measured");
+    let [join] = measured.as_slice() else { panic!("{measured:?}") };
+    assert!(join.gap < 1e-12 && join.angle_degrees.is_none() && join.tangent.is_none(), "{join:?}");
+}
+
 /// The text of `part.json`: a bilinear face over [0, 1] and [0, 2], with one entry replaced.
 fn file(key: &str, value: Value) -> String {
     let mut patch = json!({
@@ -248,7 +265,7 @@ fn faults_of_a_file_are_one_error_at_its_name() {
         (
             "\"part.json\"",
             "{\"patches\":[]}".to_owned(),
-            "E0609 `\"part.json\"` part.json: it holds 0 B-spline surfaces",
+            "E0609 `\"part.json\"` part.json: it holds no B-spline surface",
         ),
         (
             "\"part.json\"",
@@ -444,4 +461,22 @@ fn corner_at_the_seam_stays_a_corner_however_short_the_spans_beside_it() {
     let closed = drop.closed_in_u(1e-9);
     assert_eq!((closed.seam, closed.moved), (Some(0), 0.0));
     assert_eq!(closed.surface, drop);
+}
+
+#[test]
+fn surface_whose_edges_meet_and_whose_derivatives_nearly_agree_says_so() {
+    let (whole, _) = almost_closed(0.0, 1);
+    let [u, v] = whole.knots();
+    let mut net = whole.net().to_vec();
+    for row in net.chunks_mut(v.points()) {
+        if let Some(point) = row.get_mut(1) {
+            point[0] += 1e-10;
+        }
+        let first = row[0];
+        *row.last_mut().expect("a point") = first;
+    }
+    let rounded = BsplineSurface::new(u.clone(), v.clone(), net).expect("a surface");
+    let told = remarks(&blend(ROUND, &[("part.json", &to_json(&[("part", &rounded)]).expect("JSON"))]));
+    let [told] = told.as_slice() else { panic!("{told:?}") };
+    assert!(told.contains("at both ends of v meet: control points moved by up to"), "{told}");
 }

@@ -234,7 +234,10 @@ fn slips_with_surfaces_are_refused_where_they_stand() {
         (whole(&format!("surface D(p, q) = [p, q, 0] with s in [0, 1]{rest}")), "E0201 `s` `s` is not a parameter"),
         (whole(&format!("seam spec at u = 0 with other at u = 1{rest}")), "E0201 `other` there is no patch `other`"),
         (whole(&format!("seam spec at u = 0 with spec at u = 2{rest}")), "E0715 `2` `spec` has no edge at u = 2"),
-        (whole(&format!("seam spec at v = 0 with spec at u = 1{rest}")), "E0102 `v` patches meet at values of u"),
+        (
+            whole(&format!("seam spec at v = 0 with spec at u = 1{rest}")),
+            "E0102 `v` the patch `spec` has no data at fixed v",
+        ),
     ];
     for (text, expected) in cases {
         let found = findings(&text);

@@ -11,15 +11,20 @@ use crate::surface::{BsplineSurface, Surface};
 /// Refuses clamped faces that are narrower throughout than places are told apart.
 ///
 /// # Errors
-/// [`ExportError::NoArea`] names the first.
+/// [`ExportError::NoArea`] names the first that has no area of its own, [`ExportError::TooNarrow`] the first that has none
+/// beside the others.
 pub(super) fn check(faces: &[Face]) -> Result<(), ExportError> {
-    let tolerance = tolerance(faces);
-    let has_none = |face: &&Face| {
-        let length = extent(std::slice::from_ref(*face));
+    let is_narrow = |face: &Face, tolerance: f64| {
+        let length = extent(std::slice::from_ref(face));
         tolerance.is_finite() && (length <= tolerance || width(&face.surface, length) <= tolerance)
     };
-    match faces.iter().find(has_none) {
-        Some(face) => Err(ExportError::NoArea { name: face.name.clone() }),
+    // A huge face must not make one without area of a sound one.
+    if let Some(face) = faces.iter().find(|face| is_narrow(face, tolerance(std::slice::from_ref(*face)))) {
+        return Err(ExportError::NoArea { name: face.name.clone() });
+    }
+    let tolerance = tolerance(faces);
+    match faces.iter().find(|face| is_narrow(face, tolerance)) {
+        Some(face) => Err(ExportError::TooNarrow { name: face.name.clone(), tolerance }),
         None => Ok(()),
     }
 }

@@ -79,7 +79,7 @@ impl CadFormat {
 ///
 /// # Errors
 /// [`ExportError::Io`] when `out` fails; [`ExportError::NoArea`], before the first byte, for a face that is a curve or a
-/// point.
+/// point; [`ExportError::TooNarrow`] for one that is so beside the others.
 pub fn write_cad(name: &str, faces: &[Face], format: CadFormat, out: &mut dyn Write) -> Result<(), ExportError> {
     let clamped = |face: &Face| Face { name: face.name.clone(), surface: face.surface.clamped() };
     let clamped: Vec<Face> = faces.iter().map(clamped).collect();

@@ -29,7 +29,8 @@ fn stated() -> Option<usize> {
     let size = |cache: std::arch::x86_64::CpuidResult| {
         let part = |from: u32, bits: u32| ((cache.ebx >> from) & ((1 << bits) - 1)) as usize + 1;
         let [line, partitions, ways, sets] = [part(0, 12), part(12, 10), part(22, 10), cache.ecx as usize + 1];
-        line * partitions * ways * sets
+        // Virtual machines may list anything.
+        [partitions, ways, sets].into_iter().fold(line, usize::saturating_mul)
     };
     caches.map(size).max()
 }

@@ -1,6 +1,6 @@
 //! Knot vectors: the parameter line of a B-spline, and the basis functions on it.
 
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::{Code, Diagnostic, Shortest};
 
 /// The highest degree of a B-spline here: beyond it, rounding and oscillation outgrow the use.
 pub const LARGEST_DEGREE: usize = 5;
@@ -36,22 +36,27 @@ impl KnotVector {
         }
         if let Some(index) = knots.iter().position(|knot| !knot.is_finite()) {
             let value = knots.get(index).copied().unwrap_or(f64::NAN);
-            return wrong(format!("knot number {index} is {value}"), "knots are finite numbers in ascending order");
+            return wrong(
+                format!("knot number {index} is {}", Shortest(value)),
+                "knots are finite numbers in ascending order",
+            );
         }
         if let Some(index) = knots.windows(2).position(|pair| matches!(pair, [a, b] if b < a)) {
-            let pair: Vec<String> = knots.iter().skip(index).take(2).map(f64::to_string).collect();
+            let pair: Vec<String> = knots.iter().skip(index).take(2).map(|knot| Shortest(*knot).to_string()).collect();
             let message = format!("the knots descend from {} at number {}", pair.join(" to "), index + 1);
             return wrong(message, "knots are finite numbers in ascending order");
         }
         let vector = KnotVector { degree, knots };
         let [start, end] = vector.domain();
         if !(start < end && (end - start).is_finite()) {
+            let (start, end) = (Shortest(start), Shortest(end));
             let hint = "the domain of n + 1 points of degree p is [t_p, t_(n+1)]";
             return wrong(format!("the knots leave the domain [{start}, {end}], which has no extent"), hint);
         }
         for (knot, count) in vector.multiplicities() {
             let most = if knot > start && knot < end { degree } else { degree + 1 };
             if count > most {
+                let knot = Shortest(knot);
                 let message = format!("the knot {knot} stands {count} times, and degree {degree} bears {most} there");
                 return wrong(message, "a curve breaks apart at such a knot; repeat it less often");
             }
@@ -238,6 +243,7 @@ mod tests {
         assert_eq!(refusal(6, &[0.0; 14]), "the degree of a B-spline is 6");
         assert_eq!(refusal(3, &[0.0, 1.0, 2.0]), "3 knots are too few for degree 3");
         assert_eq!(refusal(1, &[0.0, 1.0, f64::NAN, 3.0]), "knot number 2 is NaN");
+        assert_eq!(refusal(1, &[0.0, -1e308, 1.5, 3.0]), "the knots descend from 0 to -1e308 at number 1");
         assert_eq!(refusal(1, &[0.0, 2.0, 1.5, 3.0]), "the knots descend from 2 to 1.5 at number 2");
         assert_eq!(refusal(1, &[0.0, 1.0, 1.0, 2.0]), "the knots leave the domain [1, 1], which has no extent");
         assert_eq!(
