@@ -39,10 +39,12 @@ impl ChebyshevSeries {
             }
             let mut coefficients = interpolation(&samples, width);
             let sizes: Vec<f64> = coefficients.iter().map(|row| largest(row)).collect();
-            let bound = tolerance * largest(&sizes).max(least);
+            let bound = tolerance * largest(&sizes);
+            // Before the larger of both is taken, which would swallow NaN.
             if !bound.is_finite() {
                 return None;
             }
+            let bound = bound.max(tolerance * least);
             let needed = sizes.iter().rposition(|size| *size > bound).map_or(1, |last| last + 1);
             if needed <= count * 3 / 4 {
                 coefficients.truncate(needed);
