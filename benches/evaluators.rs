@@ -38,6 +38,7 @@ const CYCLES: usize = 10_000;
 /// Any reason why something was not measured.
 type Fault = Box<dyn Error + Send + Sync>;
 type Outcome = Result<(), Fault>;
+type Part = fn() -> Outcome;
 
 fn fastest(rounds: usize, mut work: impl FnMut()) -> f64 {
     work();
@@ -168,7 +169,7 @@ fn basis() -> Outcome {
     let (interpreter, _) = compile(Program::compile(&basis.graph, &basis.outputs), Backend::Interpreter);
     let (machine_code, _) = compile(Program::compile(&basis.graph, &basis.outputs), Backend::Jit);
     for count in [1, 2, 4, 8, 16, 64, 256, BLOCK] {
-        let (v, t) = (&v[..count], &t[..count]);
+        let (Some(v), Some(t)) = (v.get(..count), t.get(..count)) else { continue };
         let mut rows = Rows::default();
         let mut time = |evaluator: &dyn trimline::eval::Evaluator| {
             let calls = 1 + 20_000 / count;
@@ -309,8 +310,7 @@ fn memory() -> Outcome {
 fn main() -> Outcome {
     let wanted: Vec<String> = std::env::args().skip(1).filter(|argument| !argument.starts_with('-')).collect();
     let is_wanted = |name: &str| wanted.is_empty() || wanted.iter().any(|part| name.contains(part.as_str()));
-    let parts: [(&str, fn() -> Outcome); 4] =
-        [("basis", basis), ("grids", grids), ("points", scattered), ("memory", memory)];
+    let parts: [(&str, Part); 4] = [("basis", basis), ("grids", grids), ("points", scattered), ("memory", memory)];
     for (name, part) in parts.iter().filter(|(name, _)| is_wanted(name)) {
         threads::with(1, part).map_err(|error| format!("{name}: {error}"))??;
     }

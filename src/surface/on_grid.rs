@@ -162,15 +162,15 @@ impl<'a> SurfaceOnGrid<'a> {
     ) -> Result<Option<f64>, Diagnostic> {
         check_instant(surface.instant, t)?;
         self.turn_to(surface);
-        let tables = [self.across(surface, Derivative::NONE)?, self.across(surface, Derivative::new(1, 0, 0))?];
-        let [contraction, _] = [&tables[0].contraction, &tables[1].contraction];
+        let values = self.across(surface, Derivative::NONE)?;
+        let slopes_u = self.across(surface, Derivative::new(1, 0, 0))?;
         let (set, columns) = (self.set, self.v.len());
         let functions = self.functions(surface, &[Derivative::NONE, Derivative::new(0, 1, 0)], t)?;
-        let (functions, slopes) = functions.split_at_checked(surface.basis.len()).unwrap_or_default();
-        let along = [functions, slopes].map(|functions| along::<N>(set, contraction, functions, columns));
-        let across = [&tables[0], &tables[1]].map(|table| table.table.rounded::<N>());
-        let bound = |u: usize, v: usize| grid::bound(&across[u], &tables[u].largest, &along[v]);
-        let bounds = [bound(0, 0), bound(1, 0), bound(0, 1)];
+        let (functions, slopes_v) = functions.split_at_checked(surface.basis.len()).unwrap_or_default();
+        let [f, f_v] = [functions, slopes_v].map(|rows| along::<N>(set, &values.contraction, rows, columns));
+        let [g, g_u] = [&values, &slopes_u].map(|known| known.table.rounded::<N>());
+        let bounds = [(&g, &values, &f), (&g_u, &slopes_u, &f), (&g, &values, &f_v)]
+            .map(|(across, known, along)| grid::bound(across, &known.largest, along));
         let Outputs { positions, normals, mut tangents } = outputs;
         let bytes = size_of_val(positions) * if tangents.is_some() { 4 } else { 2 };
         let outputs = Outputs {
@@ -178,8 +178,7 @@ impl<'a> SurfaceOnGrid<'a> {
             normals,
             tangents: tangents.as_mut().map(|[u, v]| [&mut **u, &mut **v]),
         };
-        let ([s, s_u], [f, f_v]) = (&across, &along);
-        let (across, along) = ([s, s_u], [f, f_v]);
+        let (across, along) = ([&g, &g_u], [&f, &f_v]);
         let stores = Stores::suited_to(bytes);
         let (pieces, size) = self.pieces::<N>(stores);
         let pieces = pieces.into_iter().zip(cut(outputs, size)).collect();
