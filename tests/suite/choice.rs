@@ -185,6 +185,15 @@ fn layers_too_thin_for_exact_are_solved_by_fourier_in_closed_form() {
 }
 
 #[test]
+fn tolerance_below_those_of_fourier_leaves_it_to_stand_in() {
+    let mut options = Options::default();
+    options.settings.set("tolerance", "1e-15", None).expect("a tolerance");
+    let source = Source::new("spec.trim", with_layers("(d2/du2 + a^2 d2/dv2)^2 S"));
+    let blend = Blend::compile(&source, &options).unwrap_or_else(|found| panic!("{found:?}"));
+    assert_eq!(method(&blend, 0.0), "fourier");
+}
+
+#[test]
 fn layers_that_neither_exact_nor_fourier_resolve_are_refused_with_every_reason_once() {
     // Without a closed form `fourier` solves each wave number as `exact` does, and fails as it does.
     let refused = blend(&with_layers("d4S/du4 + a^4 d4S/dv4")).solve(0, 0.0).err().expect("too thin");

@@ -258,6 +258,24 @@ fn critical_value_is_found_where_a_coefficient_enters_the_equation_as_a_square()
 }
 
 #[test]
+fn critical_value_has_digits_whatever_its_size() {
+    // β S'' + k S = 0 is resonant at k = π² β.
+    for (beta, start, critical) in [("1e-8", "9.8e-8", "9.869604e-8"), ("1e-4", "9.8e-4", "0.0009869604")] {
+        let text = format!("param k = {start}\npde {beta} d2S/du2 + k S = 0\nat u = 0: S = [1, 0, 0]\nat u = 1: S = 0");
+        let solution = blend(&text).solve(0, 0.0).expect("solvable");
+        let warning = solution.report.warnings.first().expect("a note");
+        assert_eq!(warning.hints, [format!("there is no solution at k = {critical}")], "{start}");
+    }
+}
+
+#[test]
+fn coefficient_that_is_critical_is_called_so() {
+    let text = "param k = π^2\npde d2S/du2 + k S = 0\nat u = 0: S = [1, 0, 0]\nat u = 1: S = 0";
+    let refused = blend(text).solve(0, 0.0).err().expect("resonant");
+    assert_eq!(refused.hints[0], "there is no solution at k = 9.869604401089358, which is exactly critical");
+}
+
+#[test]
 fn force_with_a_feature_between_the_nodes_is_not_taken_for_smooth() {
     // 24 terms are checked at 49 nodes, 0.02 to 0.03 apart, all of which miss a bump of this width.
     for (width, is_resolved) in [("0.1", true), ("0.0008", false)] {

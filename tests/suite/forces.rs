@@ -48,6 +48,7 @@ fn bulge(size: f64, sharpness: f64, centre: f64, [u, v]: [f64; 2]) -> f64 {
 fn about(c: f64, values: &str, places: &[[f64; 2]]) -> Vec<f64> {
     let text = format!("param c = {c}\ndomain v in [c, c + 6]\n{values}");
     let (_, solution) = solved(&text, 0.0);
+    assert!(!codes(&solution).contains(&Code::SeriesTruncated), "{c}: {:?}", solution.report.warnings);
     places.iter().map(|[u, v]| at(&*solution.surface, "", [*u, c + v, 0.0])[2]).collect()
 }
 

@@ -39,8 +39,12 @@ impl ExactSolver {
         for (symbol, name) in &self.coefficients {
             let Some(value) = progress.params.get(*symbol).copied() else { continue };
             let Some(found) = self.critical_param(worst, *symbol, value, progress)? else { continue };
-            let exactly = if is_same(found, value) { ", which is exactly critical" } else { "" };
-            critical.push((relative(found, value), format!("at {name} = {}{exactly}", told_apart(found, value))));
+            let text = if is_same(found, value) {
+                format!("at {name} = {}, which is exactly critical", Shortest(value))
+            } else {
+                format!("at {name} = {}", told_apart(found, value))
+            };
+            critical.push((relative(found, value), text));
         }
         if critical.is_empty() {
             for term in &self.operator.terms {

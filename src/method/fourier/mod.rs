@@ -346,7 +346,7 @@ impl FourierSolver {
             Length::Adaptive(tolerance, _) => tolerance,
             Length::Fixed(_) => DEFAULT_TOLERANCE,
         };
-        if series.left_out <= 4.0 * tolerance * series.size {
+        if series.keeps(tolerance) {
             return None;
         }
         let (modes, left_out, subject) = (series.modes(), series.left_out, &series.subject);

@@ -50,6 +50,8 @@ pub struct Series {
     pub coefficients: Vec<Vec<[f64; 2]>>,
     /// The largest part that is left out: `max |d_i|`.
     pub left_out: f64,
+    /// What of it may be rounding of the waves' angles, which are as large as v.
+    pub rounding: f64,
     /// v where most is left out of each condition and component of which anything is.
     pub places: Vec<f64>,
     /// Where the data are written of which it is left out.
@@ -66,6 +68,11 @@ impl Series {
     /// N.
     pub fn modes(&self) -> usize {
         self.coefficients.first().map_or(0, |pairs| pairs.len().saturating_sub(1))
+    }
+
+    /// Whether no more is left out than `tolerance` allows, and rounding.
+    pub fn keeps(&self, tolerance: f64) -> bool {
+        self.left_out <= 4.0 * tolerance * self.size + self.rounding
     }
 }
 
@@ -287,9 +294,7 @@ impl SeriesData {
                     self.truncated((&coefficients, ends.as_ref()), (modes, size), (range, &narrow), t, params)?;
                 // A function between whose samples nothing can be seen is seen by the points of the measurement.
                 let is_true = match length {
-                    Length::Adaptive(tolerance, most) => {
-                        series.left_out <= 4.0 * tolerance * size || count >= MOST.max(8 * most)
-                    }
+                    Length::Adaptive(tolerance, most) => series.keeps(tolerance) || count >= MOST.max(8 * most),
                     Length::Fixed(_) => true,
                 };
                 if is_true {
@@ -339,11 +344,17 @@ impl SeriesData {
             }
         }
         let corner = self.corner(ends, range, t, params)?;
+        let slope = |pairs: &Vec<[f64; 2]>| -> f64 {
+            pairs.iter().enumerate().map(|(n, [a, b])| n as f64 * wave_number * a.hypot(*b)).sum()
+        };
+        let steepest = kept.iter().map(slope).fold(0.0, f64::max);
+        let farthest = range[0].abs().max(range[1].abs());
         Ok(Series {
             subject: self.subject.clone(),
             wave_number,
             coefficients: kept,
             left_out,
+            rounding: 2.0 * f64::EPSILON * farthest * steepest,
             places,
             origin: self.name(worst).1,
             size,
