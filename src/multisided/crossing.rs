@@ -4,6 +4,8 @@
 //! beside each other are not taken for crossing ones. Edges in space that pass each other are left alone, and so are edges
 //! that touch at a corner or lie on each other.
 
+use nalgebra::Vector3;
+
 /// A point of an edge, and its place along it.
 type Place = (f64, [f64; 3]);
 
@@ -52,25 +54,14 @@ fn crosses(edges: [Curve<'_>; 2], [a, b]: [&[Place]; 2], close: f64, refinements
 }
 
 fn pieces_cross([(_, p), (_, p_end)]: &[Place; 2], [(_, q), (_, q_end)]: &[Place; 2], close: f64) -> bool {
-    let (along, other, between) = (less(p_end, p), less(q_end, q), less(q, p));
-    let normal = cross(&along, &other);
-    let square = dot(&normal, &normal);
-    let [share, other_share] = [&other, &along].map(|direction| dot(&cross(&between, direction), &normal) / square);
+    let [p, p_end, q, q_end] = [p, p_end, q, q_end].map(|point| Vector3::from(*point));
+    let (along, other, between) = (p_end - p, q_end - q, q - p);
+    let normal = along.cross(&other);
+    let square = normal.norm_squared();
+    let [share, other_share] = [other, along].map(|direction| between.cross(&direction).dot(&normal) / square);
     // Written so that NaN is no crossing.
-    square > PARALLEL * PARALLEL * dot(&along, &along) * dot(&other, &other)
+    square > PARALLEL * PARALLEL * along.norm_squared() * other.norm_squared()
         && (0.0..=1.0).contains(&share)
         && (0.0..=1.0).contains(&other_share)
-        && dot(&between, &normal).abs() <= close * libm::sqrt(square)
-}
-
-fn less([a, b, c]: &[f64; 3], [x, y, z]: &[f64; 3]) -> [f64; 3] {
-    [a - x, b - y, c - z]
-}
-
-fn dot([a, b, c]: &[f64; 3], [x, y, z]: &[f64; 3]) -> f64 {
-    a * x + b * y + c * z
-}
-
-fn cross([a, b, c]: &[f64; 3], [x, y, z]: &[f64; 3]) -> [f64; 3] {
-    [b * z - c * y, c * x - a * z, a * y - b * x]
+        && between.dot(&normal).abs() <= close * square.sqrt()
 }

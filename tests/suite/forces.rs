@@ -209,3 +209,23 @@ fn solution_that_the_ends_of_v_make_far_larger_than_its_force_is_warned_of() {
         [&steep_at_the_end, &flat_at_the_ends].map(|solution| at(&*solution.surface, "", [0.5, 1.0, 0.0])[2].abs());
     assert!(large > 3.0 * 500.0 / 384.0 && small < 500.0 / 384.0, "{large} {small}");
 }
+
+#[test]
+fn boundary_data_that_are_steep_at_an_end_of_v_are_warned_of_as_well() {
+    let bump = |end: f64| {
+        format!(
+            "domain v in [0, {end}]
+            pde (d2/du2 + d2/dv2)^2 S = 0
+            at u = 0: S = [v, 0, e^(-500(v - 1)^2)], dS/du = [0, 1, 0]
+            at u = 1: S = [v, 1, 0], dS/du = [0, 1, 0]
+            solve fourier\n"
+        )
+    };
+    let (_, steep_at_the_end) = solved(&bump(1.0), 0.0);
+    assert!(codes(&steep_at_the_end).contains(&Code::EndsDominate));
+    // A bump of height 1 cannot lift the middle by more, and lifts it by far more here.
+    assert!(at(&*steep_at_the_end.surface, "", [0.5, 1.0, 0.0])[2].abs() > 3.0);
+    let (_, flat_at_the_ends) = solved(&bump(2.0), 0.0);
+    assert!(!codes(&flat_at_the_ends).contains(&Code::EndsDominate));
+    assert!(at(&*flat_at_the_ends.surface, "", [0.5, 1.0, 0.0])[2].abs() < 1.0);
+}

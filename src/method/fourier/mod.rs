@@ -232,6 +232,7 @@ impl Solver for FourierSolver {
         if let Some(ends) = &series.ends {
             let solution = ends.solve(&self.decomposition, &self.options, (params, range_u, t))?;
             warnings.extend(solution.report.warnings.iter().cloned());
+            warnings.extend(self.boundary_reach((&series, ends, &solution), (params, [range_u, range_v], t))?);
             assembly.add_ends(ends, solution.separable()?);
         }
         let decay = rates.unwrap_or_else(|| numerals.decay());
@@ -242,7 +243,7 @@ impl Solver for FourierSolver {
         let carried = if self.has_remainder { "; the remainder carries it" } else { ", which the surface misses" };
         warnings.extend(self.truncation_warning(&series, carried));
         warnings.extend(self.force_warnings(&forces));
-        warnings.extend(self.reach_warnings(Some(&series), &forces, (params, [range_u, range_v], t))?);
+        warnings.extend(self.force_reach(&forces, (params, [range_u, range_v], t))?);
         warnings.extend(self.position_warning(&numerals, &decay, series.wave_number * highest as f64));
         let instant = (self.data.varies_in_time || self.force.varies_in_time()).then_some(t);
         let unknowns = numerals.functionals.len() * (2 * series.modes() + 1);
@@ -282,7 +283,7 @@ impl FourierSolver {
         let surface = solution.separable()?.clone();
         let mut warnings = solution.report.warnings;
         warnings.extend(self.force_warnings(forces));
-        warnings.extend(self.reach_warnings(None, forces, (params, ranges, t))?);
+        warnings.extend(self.force_reach(forces, (params, ranges, t))?);
         let report = Report {
             method: Fourier.name(),
             is_exact: false,

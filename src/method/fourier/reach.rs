@@ -22,23 +22,27 @@ const PLACES: usize = 13;
 type State<'a> = (&'a [f64], [[f64; 2]; 2], f64);
 
 impl FourierSolver {
-    /// Says by how much the solution for the polynomials of boundary data, or of a force, exceeds that of constants as large as
-    /// what they carry.
-    pub(super) fn reach_warnings(
+    /// Says by how much `solution`, that for the polynomials `ends` of the boundary data whose series is `series`, exceeds that
+    /// for constants as large as these data.
+    pub(super) fn boundary_reach(
         &self,
-        boundary: Option<&Series>,
+        (series, ends, solution): (&Series, &Ends, &Solution),
+        (params, [u, [low, high]], t): State<'_>,
+    ) -> Result<Option<Diagnostic>, Diagnostic> {
+        let constant = ends.leveled(series.size).solve(&self.decomposition, &self.options, (params, u, t))?;
+        // Both hold over a range whose middle is 0.
+        let half = 0.5 * (high - low);
+        let range = [u, [-half, half]];
+        Ok(warning(series, largest(solution, range, t)? / largest(&constant, range, t)?))
+    }
+
+    /// The same for each function of a force that is carried by a polynomial.
+    pub(super) fn force_reach(
+        &self,
         forces: &[Series],
         (params, ranges, t): State<'_>,
     ) -> Result<Vec<Diagnostic>, Diagnostic> {
         let mut warnings = Vec::new();
-        if let Some((series, ends)) = boundary.and_then(|series| Some((series, series.ends.as_ref()?))) {
-            let solved = |ends: &Ends| ends.solve(&self.decomposition, &self.options, (params, ranges[0], t));
-            let [low, high] = ranges[1];
-            let half = 0.5 * (high - low);
-            let moved = [ranges[0], [-half, half]];
-            let ratio = largest(&solved(ends)?, moved, t)? / largest(&solved(&ends.leveled(series.size))?, moved, t)?;
-            warnings.extend(warning(series, ratio));
-        }
         for (index, series) in forces.iter().enumerate() {
             let Some(ends) = &series.ends else { continue };
             let solved = |ends: Ends| {
